@@ -1,0 +1,25 @@
+"""Fourier-Taylor series: periodic solutions as Fourier series whose coefficients are Taylor series.
+
+    import ftseries as fts
+    sol = fts.solve(fts.CubicOscillator(a=1), order=24)
+    sol.evaluate("x", 0.1, lam=0.5)
+
+The method is that of H.-J. Schmidt and T. Bröcker, "Fourier-Taylor series for the figure eight
+solution of the three body problem"; equation numbers in the docstrings are those of the paper.
+"""
+
+from .errors import (ContradictionError, ConvergenceWarning, FileError, FTSeriesError, InputError,
+                     NonAnalyticError, SolveError, UndeterminedError)
+from .problem import Field, Problem, Scalar
+from .problems import CubicOscillator, FigureEight, GeneralizedMathieu, figure_eight
+from .series import cos, exp, sin
+from .solution import Solution
+from .solver import solve
+from .storage import load
+
+__version__ = "0.1.0"
+
+__all__ = ["solve", "Solution", "load", "Problem", "Field", "Scalar", "CubicOscillator",
+           "GeneralizedMathieu", "FigureEight", "figure_eight", "sin", "cos", "exp",
+           "FTSeriesError", "InputError", "NonAnalyticError", "SolveError", "UndeterminedError",
+           "ContradictionError", "FileError", "ConvergenceWarning"]

@@ -1,0 +1,71 @@
+r"""LaTeX of a solution: sums ordered by Fourier order, each coefficient a polynomial in λ."""
+
+import sympy as sp
+
+from .errors import InputError
+from .problem import Scalar
+
+__all__ = ["to_latex", "summary"]
+
+_GREEK = {"omega": r"\omega", "phi": r"\varphi", "psi": r"\psi", "lambda": r"\lambda", "mu": r"\mu"}
+
+
+def to_latex(solution, name, order):
+    r"""One unknown, cut at Taylor order ``order``, as a LaTeX equation without dollars.
+
+    >>> import ftseries as fts
+    >>> fts.solve(fts.CubicOscillator(a=1), order=3).to_latex("omega", order=3)
+    '\\omega = 2 \\sqrt{3} - \\frac{\\sqrt{3}}{24} \\lambda^{2} + \\mathcal{O}(\\lambda^{4})'
+    """
+    if isinstance(order, bool) or not isinstance(order, int) or not 0 <= order <= solution.order:
+        raise InputError(f"order={order!r}: the solution is known for orders 0 to {solution.order}")
+    unknown = solution._unknown(name)
+    scalar = isinstance(unknown, Scalar)
+    by_mode = {}
+    for m, row in enumerate(solution.coefficients[name][:order + 1]):
+        for mode, number in row.items():
+            by_mode.setdefault(mode, []).append((m, solution._in_unit(name, m, number)))
+    phase = "t" if not solution.problem.frequency else _GREEK.get(
+        solution.problem.frequency, solution.problem.frequency) + " t"
+    terms = []
+    for (sine, n), powers in sorted(by_mode.items(), key=lambda item: (item[0][1], item[0][0])):
+        pieces = [_term(c, _power(m)) for m, c in powers]
+        function = "" if n == 0 else (rf"\{'sin' if sine else 'cos'} "
+                                      + ("" if n == 1 else str(n)) + phase)
+        if not function:
+            terms += pieces
+        elif len(pieces) == 1:
+            terms.append(_term(powers[0][1], (_power(powers[0][0]) + " " + function).strip()))
+        else:
+            terms.append(rf"+\left({_join(pieces)}\right) {function}")
+    left = _GREEK.get(name, name) + ("" if scalar else "(t)")
+    return rf"{left} = {_join(terms) or '0'} + \mathcal{{O}}(\lambda^{{{order + 1}}})"
+
+
+def summary(solution):
+    """All unknowns to low order, as displayed LaTeX."""
+    order = min(solution.order, 4)
+    lines = r" \\ ".join(to_latex(solution, name, order).replace(" = ", " &= ", 1)
+                         for name in solution.problem.unknowns)
+    return rf"$\displaystyle \begin{{aligned}} {lines} \end{{aligned}}$"
+
+
+def _power(m):
+    return "" if m == 0 else r"\lambda" if m == 1 else rf"\lambda^{{{m}}}"
+
+
+def _term(coefficient, factor):
+    """'+ c factor' with its sign in front."""
+    c = sp.sympify(coefficient if not hasattr(coefficient, "mid") else float(coefficient))
+    negative = c.could_extract_minus_sign()
+    c = -c if negative else c
+    body = factor if c == 1 and factor else sp.latex(c)
+    if c.is_Add and factor:
+        body = rf"\left({body}\right)"
+    return ("-" if negative else "+") + (body if body == factor else f"{body} {factor}".strip())
+
+
+def _join(terms):
+    text = " ".join(f"{t[0]} {t[1:]}" for t in terms)
+    return text[2:] if text.startswith("+ ") else text.replace("- ", "-", 1) if text.startswith("- ") \
+        else text

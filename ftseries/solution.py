@@ -1,0 +1,300 @@
+r"""A solved problem: coefficients, evaluation, truncation.
+
+Index convention and formula.  ``coefficients[name][m]`` is the Taylor coefficient of order m of an
+unknown as a dict ``{(sine, n): number}``, in the solver's units (see ``Problem.unit``):
+
+.. math::  u(t; λ) = \sum_m λ^m\, \mathrm{unit}(m) \Big( \sum_n A_{n,m} \cos nωt + B_{n,m} \sin nωt \Big).
+
+Zero coefficients are left out; a scalar keeps its number under (0, 0).
+"""
+
+import operator
+from functools import lru_cache
+
+import mpmath
+import numpy as np
+import sympy as sp
+from flint import arb, ctx, fmpq
+
+from . import display, evaluation, storage
+from .errors import InputError
+from .problem import Scalar
+from .trig import rational
+
+__all__ = ["Solution"]
+
+
+class Solution:
+    """The truncated Fourier-Taylor series of every unknown; made by :func:`ftseries.solve`.
+
+    Attributes
+    ----------
+    problem : Problem
+    arithmetic : str
+        "exact", "float" or "ball".
+    order : int
+        The highest Taylor order.
+    coefficients : dict
+        As in the module's formula.
+    precision : int or None
+        Bits, in ball arithmetic.
+    """
+
+    def __init__(self, problem, arithmetic, order, coefficients, precision=None):
+        self.problem, self.arithmetic, self.order = problem, arithmetic, order
+        self.coefficients, self.precision = coefficients, precision
+        self._table = lru_cache(maxsize=64)(self._make_table)
+
+    def __repr__(self):
+        bits = f", precision={self.precision}" if self.precision else ""
+        return f"<Solution of {self.problem!r}, order {self.order}, {self.arithmetic}{bits}>"
+
+    def coefficient(self, name, *orders, sine=None):
+        """One coefficient: ``coefficient("x", n, m)`` of a field, ``coefficient("omega", m)``.
+
+        Parameters
+        ----------
+        name : str
+            An unknown of the problem.
+        *orders : int
+            Fourier order n and Taylor order m; for a scalar unknown the Taylor order alone.
+        sine : bool, optional
+            Choose sine or cosine where the unknown has both.
+
+        Returns
+        -------
+        SymPy expression, float, or python-flint ball, by arithmetic.
+
+        Examples
+        --------
+        >>> import ftseries as fts
+        >>> sol = fts.solve(fts.FigureEight(), order=4)
+        >>> sol.coefficient("r", 4, 4), sol.coefficient("phi", 3, 3)          # (E6c), (E6d)
+        (3**(1/3)/256, -1/48)
+        """
+        unknown = self._unknown(name)
+        scalar = isinstance(unknown, Scalar)
+        if len(orders) != (1 if scalar else 2):
+            raise InputError(f"{name!r} takes {'its Taylor order m' if scalar else 'n and m'}: "
+                             f"coefficient({name!r}, {'m' if scalar else 'n, m'}), not {orders!r}")
+        orders = [self._order(o) for o in orders]
+        n, m = (0, *orders) if scalar else orders
+        if m > self.order:
+            raise InputError(f"{name!r} is known to order {self.order}, not to {m}; solve again with "
+                             f"order={m}")
+        if not scalar and sine is None:
+            if unknown.series == "both" and n:
+                raise InputError(f"{name!r} has cosines and sines; say sine=True or sine=False")
+            sine = unknown.series == "sin"
+        return self._in_unit(name, m, self.coefficients[name][m].get((int(bool(sine)), n)))
+
+    def evaluate(self, name, t=None, *, lam, dps=None, **parameters):
+        """The value of an unknown at times t and parameter λ.
+
+        Parameters
+        ----------
+        name : str
+            A field (then ``t`` is needed) or a scalar.
+        t : array_like
+            Times; the phase is ωt where the problem has an unknown frequency.
+        lam : array_like
+            The series parameter; broadcasts with ``t``.
+        dps : int, optional
+            Decimal digits; the result then consists of mpmath numbers.
+        **parameters
+            Values of the problem's free parameters, for example ``mu=-0.3``.
+
+        Returns
+        -------
+        float, numpy.ndarray, or mpmath numbers
+
+        Warns
+        -----
+        ConvergenceWarning
+            λ lies outside the radius of convergence that the coefficients suggest.
+
+        Examples
+        --------
+        >>> import ftseries as fts
+        >>> sol = fts.solve(fts.CubicOscillator(a=1), order=24)
+        >>> round(sol.evaluate("omega", lam=0.5), 13), sol.evaluate("x", [0.0, 0.1], lam=0.5).shape
+        (3.4458763864723, (2,))
+        """
+        unknown = self._unknown(name)
+        if isinstance(unknown, Scalar):
+            if t is not None:
+                raise InputError(f"{name!r} does not depend on time; leave t out")
+            t = 0
+        elif t is None:
+            raise InputError(f"{name!r} depends on time: evaluate({name!r}, t, lam=…)")
+        self._check_parameters(parameters)
+        if dps is not None:
+            return self._evaluate_mp(name, t, lam, dps, parameters)
+        t, lam = evaluation.finite("t", t), evaluation.finite("lam", lam)
+        values = {key: evaluation.finite(key, value) for key, value in parameters.items()}
+        if all(v.ndim == 0 for v in values.values()):
+            result = self._evaluate(name, t, lam, tuple((k, float(v)) for k, v in values.items()))
+        else:
+            result = self._evaluate_many(name, t, lam, values)
+        return result[()] if np.ndim(result) else float(result)
+
+    def truncate(self, order):
+        """The same solution cut at a lower Taylor order."""
+        order = self._order(order)
+        if order > self.order:
+            raise InputError(f"cannot cut at order {order}: the solution ends at {self.order}")
+        return Solution(self.problem, self.arithmetic, order,
+                        {name: rows[:order + 1] for name, rows in self.coefficients.items()},
+                        self.precision)
+
+    def to_latex(self, name, order=None):
+        """The series of one unknown as LaTeX, cut at Taylor order ``order``."""
+        return display.to_latex(self, name, min(self.order, 6) if order is None else order)
+
+    def _repr_latex_(self):
+        return display.summary(self)
+
+    def save(self, path):
+        """Write the solution as JSON; see :func:`ftseries.storage.save`."""
+        storage.save(self, path)
+
+    def table(self, name, **parameters):
+        """``{(sine, n): [A_{n,0}, A_{n,1}, …]}`` as floats in the paper's units."""
+        self._unknown(name)
+        self._check_parameters(parameters)
+        return {mode: list(row) for mode, row in
+                self._table(name, tuple((k, float(v)) for k, v in parameters.items())).items()}
+
+    def _unknown(self, name):
+        try:
+            return self.problem.unknowns[name]
+        except (KeyError, TypeError):
+            raise InputError(f"{name!r} is not an unknown of {self.problem!r}; it has "
+                             f"{', '.join(map(repr, self.problem.unknowns))}") from None
+
+    @staticmethod
+    def _order(order):
+        try:
+            number = operator.index(order)
+        except TypeError:
+            number = -1
+        if number < 0 or isinstance(order, bool):
+            raise InputError(f"order {order!r}: give a whole number of at least 0")
+        return number
+
+    def _check_parameters(self, parameters):
+        wanted = set(self.problem.parameters)
+        if set(parameters) != wanted:
+            needs = ", ".join(f"{p}=…" for p in sorted(wanted)) or "no parameters besides t and lam"
+            given = ", ".join(sorted(parameters)) or "none"
+            raise InputError(f"{self.problem!r} needs {needs}; given: {given}")
+
+    def _in_unit(self, name, m, number):
+        """A solver's number (or None for zero) in the paper's unit and the caller's type."""
+        unit = sp.sympify(self.problem.unit(name, m))
+        if self.arithmetic == "exact":
+            return sp.S.Zero if number is None else unit * _sympy(number, self.problem.parameters)
+        if unit.free_symbols:
+            raise InputError(f"{self.problem!r} has a symbol in its unit; give it a value, or solve "
+                             "with arithmetic='exact'")
+        if self.arithmetic == "float":
+            return 0.0 if number is None else float(unit) * number
+        with ctx.workprec(self.precision):
+            return arb(0) if number is None else _ball(unit) * number
+
+    def _make_table(self, name, parameters):
+        table = {}
+        point = [fmpq(0), *(rational(dict(parameters)[p]) for p in self.problem.parameters)]
+        for m, row in enumerate(self.coefficients[name]):
+            unit = sp.sympify(self.problem.unit(name, m))
+            if unit.free_symbols:
+                raise InputError(f"{self.problem!r} contains {unit.free_symbols.pop()}; give it a "
+                                 "number to evaluate")
+            unit = float(unit)
+            for mode, number in row.items():
+                value = number(*point) if hasattr(number, "context") else number
+                table.setdefault(mode, np.zeros(self.order + 1))[m] = unit * _float(value)
+        return table
+
+    def _evaluate(self, name, t, lam, parameters):
+        table = self._table(name, parameters)
+        evaluation.warn_outside(table, name, lam)
+        amplitude = evaluation.amplitudes(table, lam)
+        if isinstance(self.problem.unknowns[name], Scalar):
+            return amplitude.get((0, 0), np.zeros(lam.shape))
+        if self.problem.frequency:
+            frequency = self._table(self.problem.frequency, parameters)
+            t = t * evaluation.amplitudes(frequency, lam)[0, 0]
+        return evaluation.fourier_sum(amplitude, t + 0 * lam)
+
+    def _evaluate_many(self, name, t, lam, values):
+        arrays = np.broadcast_arrays(t, lam, *values.values())
+        result = np.empty(arrays[0].shape)
+        points = np.stack([a.ravel() for a in arrays[2:]], axis=1)
+        unique, where = np.unique(points, axis=0, return_inverse=True)
+        for i, point in enumerate(unique):
+            here = (where.ravel() == i).reshape(result.shape)
+            result[here] = self._evaluate(name, arrays[0][here], arrays[1][here],
+                                          tuple(zip(values, map(float, point))))
+        return result
+
+    def _evaluate_mp(self, name, t, lam, dps, parameters):
+        if not isinstance(dps, int) or dps < 1:
+            raise InputError(f"dps={dps!r}: give the number of decimal digits, at least 1")
+        for key, value in {"t": t, "lam": lam, **parameters}.items():
+            if not all(mpmath.isfinite(mpmath.mpmathify(v)) for v in np.ravel(np.asarray(value, object))):
+                raise InputError(f"{key} contains a value that is NaN or infinite; give finite numbers")
+        evaluation.warn_outside(self._table(name, tuple((k, float(v)) for k, v in parameters.items())),
+                                name, np.asarray(lam, dtype=float))
+        point = [fmpq(0), *(rational(parameters[p]) for p in self.problem.parameters)]
+
+        def rows(which):
+            table = {}
+            for m, row in enumerate(self.coefficients[which]):
+                unit = sp.lambdify((), sp.sympify(self.problem.unit(which, m)), "mpmath")
+                for mode, number in row.items():
+                    value = number(*point) if hasattr(number, "context") else number
+                    table.setdefault(mode, [mpmath.mpf] * (self.order + 1))[m] = (
+                        lambda unit=unit, value=value: unit() * _mpf(value))
+            return table
+
+        frequency = self.problem.frequency
+        if isinstance(self.problem.unknowns[name], Scalar):
+            frequency = None
+        return evaluation.mp_evaluate(rows(name), rows(frequency)[0, 0] if frequency else None,
+                                      t, lam, dps)
+
+
+def _sympy(number, names):
+    if isinstance(number, fmpq):
+        return sp.Rational(int(number.p), int(number.q))
+    symbols = [sp.Symbol(name) for name in names]
+    return sp.Add(*(sp.Rational(int(c.p), int(c.q)) * sp.prod(s**e for s, e in zip(symbols, exps))
+                    for (_, *exps), c in number.to_dict().items()))
+
+
+def _float(number):
+    return int(number.p) / int(number.q) if isinstance(number, fmpq) else float(number)
+
+
+def _mpf(number):
+    if isinstance(number, fmpq):
+        return mpmath.mpf(int(number.p)) / int(number.q)
+    if isinstance(number, arb):
+        mantissa, exponent = number.mid().man_exp()
+        return mpmath.mpf(int(mantissa)) * mpmath.mpf(2) ** int(exponent)
+    return mpmath.mpf(number)
+
+
+def _ball(unit):
+    """A SymPy number as a ball that encloses it, at the precision in force."""
+    if unit.is_Rational:
+        return arb(int(unit.p)) / int(unit.q)
+    if unit.is_Pow:
+        return _ball(unit.base) ** _ball(unit.exp)
+    if unit.is_Mul:
+        product = arb(1)
+        for factor in unit.args:
+            product *= _ball(factor)
+        return product
+    raise InputError(f"the unit {unit} is not a product of powers of rationals")

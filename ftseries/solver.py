@@ -1,0 +1,287 @@
+r"""Comparing coefficients, order by order: one solver for every problem.
+
+At stage k the coefficients U_k of Taylor order k are sought.  With R the residual, DR its leading
+linear part (:mod:`ftseries.linear`) and s_e the order at which equation e begins to depend on the
+unknowns,
+
+1. evaluate R_{k+s} with U_k = 0;
+2. solve L₀ x = -R_{k+s}.  What is left over depends affinely on the kernel coordinates that
+   earlier orders left open (A_{0,2m} in the figure eight, a_m in Mathieu's equation): settle them;
+3. set U_k = x plus the consequences of what was settled, open the kernel coordinates of order k,
+   and check that R_{k+s} now vanishes.
+
+A coordinate that stays open means that λ has no concrete meaning yet; a left-over that nothing can
+change means that the equations contradict each other.  Both name the coefficient or the equation.
+The structure (kernel, settling) is always found in exact arithmetic; ``float`` and ``ball`` then go
+on from the exact first orders.
+"""
+
+import operator
+import os
+
+from flint import ctx, fmpq
+from tqdm.auto import tqdm
+
+from .errors import ContradictionError, InputError, SolveError, UndeterminedError
+from .grid import FloatRing
+from .linear import Elimination, Family, LinearPart
+from .problem import Problem
+from .series import Expansion
+from .solution import Solution
+from .trig import BallRing, PolynomialRing, RationalRing
+
+__all__ = ["solve"]
+
+#: how many orders late a coordinate may be settled
+LATEST = 4
+#: Taylor orders that the exact arithmetic gives to the others
+LEAD = 2 * LATEST
+
+
+def solve(problem, order, arithmetic="exact", precision=128, progress=True):
+    """The Fourier-Taylor series that solves ``problem``, up to Taylor order ``order``.
+
+    Parameters
+    ----------
+    problem : Problem
+        For example ``CubicOscillator(a=1)``.
+    order : int
+        The highest power of λ, at least 0.
+    arithmetic : "exact", "float" or "ball"
+        Rational numbers (polynomials in the problem's parameters), float64, or real balls that
+        enclose the exact coefficients.
+    precision : int
+        Bits of a ball; used by ``"ball"`` only.
+    progress : bool
+        Show a progress bar when the solve takes more than a few seconds.
+
+    Returns
+    -------
+    Solution
+
+    Raises
+    ------
+    InputError
+        Bad order, arithmetic or precision; a problem without seed.
+    NonAnalyticError
+        An operation that has no Taylor series at λ = 0.
+    UndeterminedError, ContradictionError
+        λ has no concrete meaning; the equations cannot hold together.
+
+    Examples
+    --------
+    The second-order coefficients of (C7a) and (C7b):
+
+    >>> import ftseries as fts
+    >>> sol = fts.solve(fts.CubicOscillator(a=1), order=4)
+    >>> sol.coefficient("x", 2, 2), sol.coefficient("omega", 2)
+    (-1/12, -sqrt(3)/24)
+    """
+    if not isinstance(problem, Problem):
+        raise InputError(f"{problem!r} is not a problem; give an instance such as CubicOscillator(a=1)")
+    order = _whole("order", order, 0)
+    if arithmetic not in ("exact", "float", "ball"):
+        raise InputError(f"arithmetic={arithmetic!r}: choose 'exact', 'float' or 'ball'")
+    precision = _whole("precision", precision, 2)
+    if problem.parameters and arithmetic != "exact":
+        raise InputError(f"{', '.join(problem.parameters)} is a free parameter, which only "
+                         f"arithmetic='exact' can carry; give it a value in {type(problem).__name__}")
+    _check_memory(problem, order, arithmetic)
+    ring = PolynomialRing(problem.parameters) if problem.parameters else RationalRing()
+    known = _converted(problem.first_coefficients(), ring)
+    linear = LinearPart(problem, ring, known, order + LATEST)
+    lead = order if arithmetic == "exact" else min(order, LEAD)
+    bar = tqdm(total=order, desc=f"order of {type(problem).__name__}", delay=3, leave=False,
+               disable=not progress)
+    with bar:
+        _Stages(problem, linear, ring, known, lead).run(bar)
+        if arithmetic == "float":
+            ring = FloatRing(order + LATEST + max(linear.shifts), order + LATEST + max(linear.shifts))
+            known = _converted(known, ring)
+            if order > lead:
+                _Stages(problem, linear, ring, known, order).run(bar, fresh=False)
+        elif arithmetic == "ball":
+            ring = BallRing()
+            with ctx.workprec(precision):
+                known = _converted(known, ring)
+                if order > lead:
+                    _Stages(problem, linear, ring, known, order).run(bar, fresh=False)
+    return Solution(problem, arithmetic, order, known, precision if arithmetic == "ball" else None)
+
+
+def _converted(known, ring):
+    return {name: [{mode: ring.number(c) for mode, c in row.items()} for row in rows]
+            for name, rows in known.items()}
+
+
+class _Stages:
+    """The state of one solve over one ring; ``known`` is extended in place."""
+
+    def __init__(self, problem, linear, ring, known, order):
+        self.problem, self.linear, self.ring = problem, linear, ring
+        self.known, self.order = known, order
+        self.expansion = Expansion(ring)
+        self.unknowns = {name: self.expansion.unknown() for name in problem.unknowns}
+        self.residuals = list(problem.equations(self.expansion.lam, **self.unknowns).values())
+        self.elimination = linear.elimination
+        if not isinstance(ring, RationalRing):
+            self.elimination = self.elimination.converted(ring.number)
+        self.open = []                                  # pairs (order it starts at, Family)
+        self.start = min(len(rows) for rows in known.values())
+        for name, rows in known.items():
+            for k, row in enumerate(rows):
+                self.unknowns[name].set(k, ring.from_modes(row))
+
+    def run(self, bar, fresh=True):
+        """All stages; a ``fresh`` run also checks the seed and opens what it leaves free."""
+        for k in range(self.start if fresh else 0):
+            self.open_kernel(k)
+            self.verify(k, "the seed does not satisfy equation {name} at order {order} of λ; "
+                           "check the first coefficients")
+        k = self.start
+        while k <= self.order or any(start <= self.order for start, _ in self.open):
+            self.stage(k)
+            if k <= self.order:
+                bar.update()
+            k += 1
+        for rows in self.known.values():
+            del rows[self.order + 1:]
+
+    def stage(self, k):
+        self.expansion.forget(k)
+        for name, rows in self.known.items():
+            if len(rows) <= k:
+                rows.append({})
+                self.unknowns[name].set(k, self.ring.from_modes({}))
+        residual = self.residual(k)
+        update, left = self.elimination.solve({row: -c for row, c in residual.items()})
+        changes = {k: update}
+        self.settle(k, left, changes)
+        touched = self.apply(changes, k)
+        self.expansion.forget(min(touched, default=k))
+        self.open_kernel(k)
+        if k <= self.order:
+            self.verify(k, "equation {name} has no solution at order {order} of λ, mode {mode}: no "
+                           "coefficient can change it; the equations contradict each other or the "
+                           "seed, or the first orders are still non-linear: then give a longer seed")
+
+    def residual(self, k):
+        """The rows of R_{k+s}."""
+        rows = {}
+        for e, (series, shift) in enumerate(zip(self.residuals, self.linear.shifts)):
+            for (sine, n), c in series[k + shift].modes().items():
+                if self.ring.exact or n <= k + shift:
+                    rows[e, sine, n] = c
+        return rows
+
+    def settle(self, k, left, changes):
+        """Fix open coordinates so that ``left`` vanishes; add what follows to ``changes``."""
+        number = self.ring.number
+        effects = {i: family.effect(k - start) for i, (start, family) in enumerate(self.open)}
+        matrix = Elimination(effects)
+        values, _ = matrix.converted(number).solve(
+            {row: c for row, c in left.items() if any(row in e for e in effects.values())})
+        for i, value in values.items():
+            start, family = self.open[i]
+            for j, term in enumerate(family.terms[:k - start + 1]):
+                for column, c in term.items():
+                    row = changes.setdefault(start + j, {})
+                    row[column] = row.get(column, number(0)) + value * number(c)
+        self.open = [self.combined(vector, k) for vector in matrix.kernel]
+        for start, family in self.open:
+            if k - start >= LATEST and start <= self.order:
+                name, sine, n = next(iter(family.terms[0]))
+                raise UndeterminedError(
+                    f"nothing determines {_label(self.problem, name, sine, n, start)}: λ has no "
+                    "concrete meaning yet; fix an amplitude ('fixed' in its Field) or add the "
+                    "equation that defines λ")
+
+    def combined(self, vector, k):
+        """The open direction Σ vector_i · (direction i); a single one is kept as it is."""
+        if len(vector) == 1:
+            return self.open[next(iter(vector))]
+        first = min(self.open[i][0] for i in vector)
+        terms = [{} for _ in range(k - first + 1)]
+        for i, weight in vector.items():
+            start, family = self.open[i]
+            for j, term in enumerate(family.terms[:k - start + 1]):
+                for column, c in term.items():
+                    row = terms[start - first + j]
+                    row[column] = row.get(column, fmpq(0)) + weight * c
+        return first, Family(self.linear, terms)
+
+    def apply(self, changes, k):
+        """Add ``changes`` to the unknowns; the orders that were touched."""
+        touched, scale = set(), self.scale(k)
+        for m, update in changes.items():
+            names = set()
+            for (name, sine, n), c in update.items():
+                if not self.problem.allowed(name, n, m):
+                    if not self.ring.negligible(c, scale):
+                        raise SolveError(
+                            f"the ansatz is too narrow: the equations ask for "
+                            f"{_label(self.problem, name, sine, n, m)} = {c}, which it leaves out")
+                    continue
+                row = self.known[name][m]
+                row[sine, n] = row[sine, n] + c if (sine, n) in row else c
+                names.add(name)
+            for name in names:
+                row = self.known[name][m]
+                if self.ring.exact:
+                    for mode in [mode for mode, c in row.items() if self.ring.is_zero(c)]:
+                        del row[mode]
+                for j in range(m, k + 1):
+                    self.unknowns[name].set(j, self.ring.from_modes(self.known[name][j]))
+                touched.add(m)
+        return touched
+
+    def open_kernel(self, k):
+        """Kernel coordinates that order k leaves free."""
+        for family in self.linear.families:
+            if all(self.problem.allowed(name, n, k) for name, _, n in family.terms[0]):
+                self.open.append((k, family))
+
+    def verify(self, k, message):
+        scales = [self.scale(k + shift) for shift in self.linear.shifts]
+        for (e, sine, n), c in self.residual(k).items():
+            if not self.ring.negligible(c, scales[e]):
+                raise ContradictionError(message.format(
+                    name=self.linear.names[e], order=k + self.linear.shifts[e],
+                    mode=f"{'sin' if sine else 'cos'} {n}τ"))
+
+    def scale(self, order):
+        """The size of the terms of this order, for the rounding of the float ring."""
+        if self.ring.exact:
+            return 0
+        return max((abs(row).max() for node in self.expansion.nodes if len(node.table) > order
+                    for row in node.table[order].parts.values()), default=0.0)
+
+
+def _label(problem, name, sine, n, m):
+    if not hasattr(problem.unknowns[name], "series"):
+        return f"the coefficient {name}_{m}"
+    return f"the coefficient of {'sin' if sine else 'cos'} {n}τ in {name} at order {m} of λ"
+
+
+def _whole(name, value, least):
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise InputError(f"{name}={value!r} is not a whole number; give an int of at least {least}") \
+            from None
+    if isinstance(value, bool) or number < least:
+        raise InputError(f"{name}={value!r}: give a whole number of at least {least}")
+    return number
+
+
+def _check_memory(problem, order, arithmetic):
+    """Refuse an order whose tables cannot fit: about (nodes · order²/2) numbers."""
+    nodes, size = 24 * len(problem.unknowns), 8 if arithmetic == "float" else 64
+    try:
+        memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (AttributeError, ValueError, OSError):
+        memory = 2**33
+    if nodes * size * order**2 / 2 > memory:
+        most = int((2 * memory / (nodes * size)) ** 0.5)
+        raise InputError(f"order={order} needs more memory than this machine has; with "
+                         f"arithmetic={arithmetic!r} stay below about {most}")

@@ -1,0 +1,151 @@
+"""Solutions as JSON files: exact numbers as strings, floats as shortest round-trip decimals.
+
+Format 1: ``{"format": "ftseries", "version": 1, "problem": {"name", "arguments"}, "arithmetic",
+"order", "precision", "coefficients": {unknown: [[[sine, n, number], …] for each Taylor order]}}``.
+A rational is "p/q", a polynomial a dict from exponents "i,j" to rationals, a ball the four integers
+[midpoint mantissa, exponent, radius mantissa, exponent], which keep it bit for bit.
+"""
+
+import json
+import os
+import tempfile
+
+from flint import arb, fmpq
+
+from .errors import FileError, InputError
+from .problem import Problem
+from . import solution as solutions
+from .trig import PolynomialRing, rational
+
+__all__ = ["save", "load"]
+
+
+def save(solution, path):
+    """Write a solution; the file appears complete or not at all.
+
+    Raises
+    ------
+    FileError
+        The folder does not exist or cannot be written.
+    """
+    data = {
+        "format": "ftseries", "version": 1,
+        "problem": {"name": type(solution.problem).__name__,
+                    "arguments": solution.problem.arguments()},
+        "arithmetic": solution.arithmetic, "order": solution.order,
+        "precision": solution.precision,
+        "coefficients": {name: [[[*mode, _encode(c)] for mode, c in sorted(row.items())]
+                                for row in rows]
+                         for name, rows in solution.coefficients.items()},
+    }
+    path = os.fspath(path)
+    temporary = None
+    try:
+        with tempfile.NamedTemporaryFile("w", dir=os.path.dirname(path) or ".", delete=False,
+                                         encoding="utf-8", suffix=".part") as file:
+            temporary = file.name
+            json.dump(data, file)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(temporary, path)
+    except OSError as error:
+        if temporary and os.path.exists(temporary):
+            os.unlink(temporary)
+        raise FileError(f"cannot write {path!r}: {error.strerror}; choose another place") from error
+
+
+def load(path, problem=None):
+    """Read a solution written by :func:`save`.
+
+    Parameters
+    ----------
+    path : str or path
+    problem : Problem, optional
+        Needed when the problem's class has not been imported or cannot be made from its
+        ``arguments()``.
+
+    Raises
+    ------
+    FileError
+        The file is missing, damaged, or of another kind.
+
+    Examples
+    --------
+    >>> import ftseries as fts, os, tempfile
+    >>> sol = fts.solve(fts.GeneralizedMathieu(), order=9)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = os.path.join(folder, "mathieu.json")
+    ...     sol.save(file)
+    ...     fts.load(file).coefficients == sol.coefficients
+    True
+    """
+    path = os.fspath(path)
+    try:
+        with open(path, encoding="utf-8") as file:
+            data = json.load(file)
+    except OSError as error:
+        raise FileError(f"cannot read {path!r}: {error.strerror}") from error
+    except ValueError as error:
+        raise FileError(f"{path!r} is damaged or not JSON ({error}); save the solution again") from None
+    if not isinstance(data, dict) or data.get("format") != "ftseries":
+        raise FileError(f"{path!r} is not a saved ftseries solution")
+    if data.get("version") != 1:
+        raise FileError(f"{path!r} has format version {data.get('version')!r}; this ftseries reads 1")
+    try:
+        return _solution(data, problem)
+    except (KeyError, TypeError, ValueError, IndexError, AttributeError, ZeroDivisionError) as error:
+        if isinstance(error, FileError):
+            raise
+        raise FileError(f"{path!r} is damaged: {error}; save the solution again") from None
+
+
+def _solution(data, problem):
+    name, arguments = data["problem"]["name"], data["problem"]["arguments"]
+    if problem is None:
+        if name not in Problem.classes:
+            raise FileError(f"the file holds a solution of {name!r}, which is not known here; import "
+                            "its class or give load(path, problem=…)")
+        problem = Problem.classes[name](**arguments)
+    elif not isinstance(problem, Problem) or type(problem).__name__ != name:
+        raise FileError(f"the file holds a solution of {name!r}, not of {problem!r}")
+    arithmetic, order = data["arithmetic"], data["order"]
+    decode = {"exact": _polynomial(problem.parameters) if problem.parameters else _rational,
+              "float": float, "ball": _ball}[arithmetic]
+    coefficients = {}
+    for unknown in problem.unknowns:
+        rows = data["coefficients"][unknown]
+        if len(rows) != order + 1:
+            raise InputError(f"{unknown} has {len(rows)} Taylor orders instead of {order + 1}")
+        coefficients[unknown] = [{(sine, n): decode(c) for sine, n, c in row} for row in rows]
+    return solutions.Solution(problem, arithmetic, order, coefficients, data["precision"])
+
+
+def _encode(number):
+    if isinstance(number, float):
+        return number
+    if isinstance(number, fmpq):
+        return str(number)
+    if isinstance(number, arb):
+        return [str(x) for part in (number.mid(), number.rad()) for x in part.man_exp()]
+    return {",".join(str(e) for e in exponents[1:]): str(c)
+            for exponents, c in number.to_dict().items()}
+
+
+def _rational(text):
+    if not isinstance(text, str):
+        raise ValueError(f"{text!r} is not an exact number")
+    return rational(text)
+
+
+def _ball(parts):
+    m, e, r, f = (int(x) for x in parts)
+    return arb((m, e), (r, f))
+
+
+def _polynomial(names):
+    ring = PolynomialRing(names)
+
+    def decode(terms):
+        return ring.context.from_dict({(0, *map(int, exponents.split(","))): rational(c)
+                                       for exponents, c in terms.items()})
+    return decode
