@@ -8,8 +8,16 @@ The method is that of H.-J. Schmidt and T. Bröcker, "Fourier-Taylor series for 
 solution of the three body problem"; equation numbers in the docstrings are those of the paper.
 """
 
-from .errors import (ContradictionError, ConvergenceWarning, FileError, FTSeriesError, InputError,
-                     NonAnalyticError, SolveError, UndeterminedError)
+from .errors import (
+                     ContradictionError,
+                     ConvergenceWarning,
+                     FileError,
+                     FTSeriesError,
+                     InputError,
+                     NonAnalyticError,
+                     SolveError,
+                     UndeterminedError,
+)
 from .problem import Field, Problem, Scalar
 from .problems import CubicOscillator, FigureEight, GeneralizedMathieu, figure_eight
 from .series import cos, exp, sin

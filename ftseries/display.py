@@ -67,5 +67,6 @@ def _term(coefficient, factor):
 
 def _join(terms):
     text = " ".join(f"{t[0]} {t[1:]}" for t in terms)
-    return text[2:] if text.startswith("+ ") else text.replace("- ", "-", 1) if text.startswith("- ") \
-        else text
+    if text.startswith("+ "):
+        return text[2:]
+    return text.replace("- ", "-", 1) if text.startswith("- ") else text

@@ -74,9 +74,9 @@ def warn_outside(table, name, lam):
     radius = radius_estimate(table)
     largest = float(np.max(np.abs(lam), initial=0.0))
     if radius is not None and largest > 1.03 * radius:
-        warnings.warn(f"λ = {largest:g} lies outside the radius of convergence of {name!r}, which its "
-                      f"coefficients put near {radius:.3g}; the truncated sum is not an approximation "
-                      "there", ConvergenceWarning, stacklevel=4)
+        warnings.warn(f"λ = {largest:g} lies outside the radius of convergence of {name!r}, which "
+                      f"its coefficients put near {radius:.3g}; the truncated sum is not an "
+                      "approximation there", ConvergenceWarning, stacklevel=4)
 
 
 def mp_evaluate(table, frequency, t, lam, dps):
@@ -91,7 +91,7 @@ def mp_evaluate(table, frequency, t, lam, dps):
                 tau *= mpmath.polyval([c() for c in frequency[::-1]], parameter)
             return mpmath.fsum(a * (mpmath.sin if sine else mpmath.cos)(n * tau)
                                for (sine, n), a in rows.items())
-        result = np.frompyfunc(value, 2, 1)(np.asarray(t, dtype=object), np.asarray(lam, dtype=object))
+        result = np.frompyfunc(value, 2, 1)(np.asarray(t, object), np.asarray(lam, object))
     with mpmath.workdps(dps):
         return np.frompyfunc(lambda x: +x, 1, 1)(result)
 

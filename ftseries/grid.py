@@ -8,8 +8,8 @@ n ≤ D is the vector of its values at the M = D//2 + 1 points
 of a quarter period; the kind says how it continues.  The modes of a kind are n = 0, 2, …, 2M-2;
 1, 3, …, 2M-1; 2, 4, …, 2M; 1, 3, …, 2M-1, and the M × M matrices cos(n τ_j), sin(n τ_j) are the
 discrete cosine and sine transforms of types III and IV, orthogonal up to a factor.  A product is a
-product of values, exact as long as its degree stays within D; a Cauchy sum over Taylor orders is one
-sum over rows of two arrays.
+product of values, exact as long as its degree stays within D; a Cauchy sum over Taylor orders is
+one sum over rows of two arrays.
 """
 
 import numpy as np
@@ -31,7 +31,7 @@ class FloatRing(Ring):
         self.rows = order + 1
         self.matrices = {}
         self.tau = tau = (np.arange(m) + 0.5) * np.pi / (2 * m)
-        #: modes and values of each kind: row i of ``values[kind]`` is cos or sin of modes[kind][i] τ
+        #: the modes of each kind; row i of ``values[kind]`` is cos or sin of n[kind][i] τ
         self.n = [np.arange(0, 2 * m, 2), np.arange(1, 2 * m, 2),
                   np.arange(2, 2 * m + 1, 2), np.arange(1, 2 * m, 2)]
         self.values = [(np.cos, np.sin)[kind >> 1](np.outer(n, tau))
@@ -51,7 +51,7 @@ class FloatRing(Ring):
         first = self.n[kind][0]
         for n, value in modes.items():
             if n > self.n[kind][-1]:
-                raise InputError(f"Fourier order {n} does not fit on a grid of {self.points} points")
+                raise InputError(f"Fourier order {n} does not fit on {self.points} grid points")
             coefficients[(n - first) // 2] = value
         return coefficients @ self.values[kind]
 
@@ -136,7 +136,7 @@ def _merge(terms):
 
 
 class GridTable:
-    """Taylor coefficients as the rows of one array per kind, with the parities of the rows in use."""
+    """Taylor coefficients as rows of one array per kind, with the parities of the rows in use."""
 
     def __init__(self, ring):
         self.ring, self.length, self.parts = ring, 0, {}

@@ -4,9 +4,9 @@ Formula.  Let R(U; λ) be the residual and U the solution.  Its derivative along
 
 .. math::  DR_e = λ^{s_e} (L_0 + λ L_1 + λ^2 L_2 + …)_e  \quad\text{for equation } e,
 
-where the L_j do not depend on the Taylor order that is being solved.  A *column* (name, sine, n) is
-one mode of one unknown, a *row* (equation, sine, n) one mode of one residual.  :func:`tangent` gives
-DR·T for a series T of modes by running the problem's own equations over dual numbers u + ε v,
+where the L_j do not depend on the Taylor order that is being solved.  A *column* (name, sine, n)
+is one mode of one unknown, a *row* (equation, sine, n) one mode of one residual.  :func:`tangent`
+gives DR·T for a series T of modes by running the problem's own equations over dual numbers u + ε v,
 ε² = 0, in exact arithmetic.  :class:`Elimination` solves L₀ x = b and gives the kernel of L₀; what
 cannot be solved is left over, and vanishes only if kernel coordinates of earlier orders are right.
 """

@@ -133,12 +133,12 @@ class Problem:
         """The seed as ``{name: [{(sine, n): fmpq}, …]}``; refuses a missing or foreign one."""
         missing = [name for name in self.unknowns if not self.seed.get(name)]
         if missing:
-            raise InputError(f"{type(self).__name__} has no seed for {', '.join(missing)}: give its "
-                             "first coefficients, found by hand, in the attribute 'seed'")
+            raise InputError(f"{type(self).__name__} has no seed for {', '.join(missing)}: give "
+                             "its first coefficients, found by hand, in the attribute 'seed'")
         foreign = set(self.seed) - set(self.unknowns)
         if foreign:
-            raise InputError(f"the seed names {', '.join(sorted(foreign))}, which is not an unknown "
-                             f"of {type(self).__name__}; it has {', '.join(self.unknowns)}")
+            raise InputError(f"the seed names {', '.join(sorted(foreign))}, which is not an "
+                             f"unknown of {type(self).__name__}; it has {', '.join(self.unknowns)}")
         return {name: [{unknown.mode(n): rational(c) for n, c in
                         (row if isinstance(row, dict) else {0: row}).items() if c != 0}
                        for row in self.seed[name]]

@@ -2,10 +2,10 @@ r"""Fourier-Taylor series: one lazily evaluated order-k step for every operation
 
 Index convention and formula.  A series is
 
-.. math::  u(τ; λ) = \sum_{k \ge 0} λ^k u_k(τ), \qquad u_k = \sum_n A_{n,k} \cos nτ + B_{n,k} \sin nτ,
+.. math::  u(τ; λ) = \sum_k λ^k u_k(τ), \qquad u_k = \sum_n A_{n,k} \cos nτ + B_{n,k} \sin nτ,
 
-and ``u[k]`` is its Taylor coefficient u_k, a :class:`ftseries.trig.Trig`.  Every operation is a node
-that gives its coefficient k from coefficients ≤ k of its operands:
+and ``u[k]`` is its Taylor coefficient u_k, a :class:`ftseries.trig.Trig`.  Every operation is a
+node that gives its coefficient k from coefficients ≤ k of its operands:
 
 =============  ==========================================================================
 product        c_k = Σ_j a_j b_{k-j}
@@ -14,11 +14,13 @@ e = exp u      k e_k = Σ_{j≥1} j u_j e_{k-j}
 sin u, cos u   k s_k = Σ_{j≥1} j u_j c_{k-j},   k c_k = -Σ_{j≥1} j u_j s_{k-j}
 =============  ==========================================================================
 
-(Knuth, TAOCP 2, 4.7; the prime is d/dλ.)  A solver changes the last few coefficients of the unknowns
-again and again.  :meth:`Expansion.forget` makes every node drop what depends on them; the *deep*
-part of each sum, which uses settled coefficients only, is kept, so that a second look at an order
-costs a handful of products.
+(Knuth, TAOCP 2, 4.7; the prime is d/dλ.)  A solver changes the last few coefficients of the
+unknowns again and again.  :meth:`Expansion.forget` makes every node drop what depends on them; the
+*deep* part of each sum, which uses settled coefficients only, is kept, so that a second look at an
+order costs a handful of products.
 """
+
+from functools import cache
 
 from flint import fmpq
 
@@ -144,12 +146,29 @@ class Series:
         by -1, so it is rational although the single shifts are not."""
         return ModeMultiple(self, _neighbours(bodies))
 
+    def sin(self):
+        return self._sincos()[0]
+
+    def cos(self):
+        return self._sincos()[1]
+
+    def exp(self):
+        return Exp(self)
+
+    def _sincos(self):
+        pairs = self.expansion.pairs
+        if self not in pairs:
+            s, c = pairs[self] = SinCos(self, True), SinCos(self, False)
+            s.partner, c.partner = c, s
+        return pairs[self]
+
     def _series(self, x):
         return x if isinstance(x, Series) else self.expansion.constant(x)
 
 
-def _neighbours(bodies, memo={}):
-    return memo.setdefault(bodies, lambda n, ring: (bodies - 1 if n % bodies == 0 else -1, 0))
+@cache
+def _neighbours(bodies):
+    return lambda n, ring: (bodies - 1 if n % bodies == 0 else -1, 0)
 
 
 _DERIVATIVES = {1: lambda n, ring: (0, n), 2: lambda n, ring: (-n * n, 0)}
@@ -290,24 +309,16 @@ class SinCos(Convolution):
         return self.sum(self.u, self.partner, k, 1, 0, sign).scale(self.ring.number(fmpq(1, k)))
 
 
-def _pair(u):
-    pairs = u.expansion.pairs
-    if u not in pairs:
-        s, c = pairs[u] = SinCos(u, True), SinCos(u, False)
-        s.partner, c.partner = c, s
-    return pairs[u]
-
-
 def sin(u):
     """sin u of a series that vanishes at λ = 0."""
-    return _pair(u)[0]
+    return u.sin()
 
 
 def cos(u):
     """cos u of a series that vanishes at λ = 0."""
-    return _pair(u)[1]
+    return u.cos()
 
 
 def exp(u):
     """exp u of a series that vanishes at λ = 0."""
-    return Exp(u)
+    return u.exp()

@@ -3,7 +3,7 @@ r"""A solved problem: coefficients, evaluation, truncation.
 Index convention and formula.  ``coefficients[name][m]`` is the Taylor coefficient of order m of an
 unknown as a dict ``{(sine, n): number}``, in the solver's units (see ``Problem.unit``):
 
-.. math::  u(t; λ) = \sum_m λ^m\, \mathrm{unit}(m) \Big( \sum_n A_{n,m} \cos nωt + B_{n,m} \sin nωt \Big).
+.. math::  u(t; λ) = \sum_m λ^m\, \mathrm{unit}(m) \sum_n (A_{n,m} \cos nωt + B_{n,m} \sin nωt).
 
 Zero coefficients are left out; a scalar keeps its number under (0, 0).
 """
@@ -80,8 +80,8 @@ class Solution:
         orders = [self._order(o) for o in orders]
         n, m = (0, *orders) if scalar else orders
         if m > self.order:
-            raise InputError(f"{name!r} is known to order {self.order}, not to {m}; solve again with "
-                             f"order={m}")
+            raise InputError(f"{name!r} is known to order {self.order}, not to {m}; solve again "
+                             f"with order={m}")
         if not scalar and sine is None:
             if unknown.series == "both" and n:
                 raise InputError(f"{name!r} has cosines and sines; say sine=True or sine=False")
@@ -195,8 +195,8 @@ class Solution:
         if self.arithmetic == "exact":
             return sp.S.Zero if number is None else unit * _sympy(number, self.problem.parameters)
         if unit.free_symbols:
-            raise InputError(f"{self.problem!r} has a symbol in its unit; give it a value, or solve "
-                             "with arithmetic='exact'")
+            raise InputError(f"{self.problem!r} has a symbol in its unit; give it a value, or "
+                             "solve with arithmetic='exact'")
         if self.arithmetic == "float":
             return 0.0 if number is None else float(unit) * number
         with ctx.workprec(self.precision):
@@ -242,10 +242,9 @@ class Solution:
         if not isinstance(dps, int) or dps < 1:
             raise InputError(f"dps={dps!r}: give the number of decimal digits, at least 1")
         for key, value in {"t": t, "lam": lam, **parameters}.items():
-            if not all(mpmath.isfinite(mpmath.mpmathify(v)) for v in np.ravel(np.asarray(value, object))):
-                raise InputError(f"{key} contains a value that is NaN or infinite; give finite numbers")
-        evaluation.warn_outside(self._table(name, tuple((k, float(v)) for k, v in parameters.items())),
-                                name, np.asarray(lam, dtype=float))
+            evaluation.finite(key, value)
+        floats = tuple((k, float(v)) for k, v in parameters.items())
+        evaluation.warn_outside(self._table(name, floats), name, np.asarray(lam, dtype=float))
         point = [fmpq(0), *(rational(parameters[p]) for p in self.problem.parameters)]
 
         def rows(which):
@@ -269,8 +268,8 @@ def _sympy(number, names):
     if isinstance(number, fmpq):
         return sp.Rational(int(number.p), int(number.q))
     symbols = [sp.Symbol(name) for name in names]
-    return sp.Add(*(sp.Rational(int(c.p), int(c.q)) * sp.prod(s**e for s, e in zip(symbols, exps))
-                    for (_, *exps), c in number.to_dict().items()))
+    return sp.Add(*(sp.Rational(int(c.p), int(c.q)) * sp.prod(map(sp.Pow, symbols, exponents))
+                    for (_, *exponents), c in number.to_dict().items()))
 
 
 def _float(number):

@@ -24,11 +24,11 @@ from tqdm.auto import tqdm
 
 from .errors import ContradictionError, InputError, SolveError, UndeterminedError
 from .grid import FloatRing
+from .laurent import BallRing, PolynomialRing, RationalRing
 from .linear import Elimination, Family, LinearPart
 from .problem import Problem
 from .series import Expansion
 from .solution import Solution
-from .trig import BallRing, PolynomialRing, RationalRing
 
 __all__ = ["solve"]
 
@@ -78,14 +78,15 @@ def solve(problem, order, arithmetic="exact", precision=128, progress=True):
     (-1/12, -sqrt(3)/24)
     """
     if not isinstance(problem, Problem):
-        raise InputError(f"{problem!r} is not a problem; give an instance such as CubicOscillator(a=1)")
+        raise InputError(f"{problem!r} is not a problem; give one such as CubicOscillator(a=1)")
     order = _whole("order", order, 0)
     if arithmetic not in ("exact", "float", "ball"):
         raise InputError(f"arithmetic={arithmetic!r}: choose 'exact', 'float' or 'ball'")
     precision = _whole("precision", precision, 2)
     if problem.parameters and arithmetic != "exact":
         raise InputError(f"{', '.join(problem.parameters)} is a free parameter, which only "
-                         f"arithmetic='exact' can carry; give it a value in {type(problem).__name__}")
+                         "arithmetic='exact' can carry; give it a value in "
+                         f"{type(problem).__name__}")
     _check_memory(problem, order, arithmetic)
     ring = PolynomialRing(problem.parameters) if problem.parameters else RationalRing()
     known = _converted(problem.first_coefficients(), ring)
@@ -96,7 +97,8 @@ def solve(problem, order, arithmetic="exact", precision=128, progress=True):
     with bar:
         _Stages(problem, linear, ring, known, lead).run(bar)
         if arithmetic == "float":
-            ring = FloatRing(order + LATEST + max(linear.shifts), order + LATEST + max(linear.shifts))
+            top = order + LATEST + max(linear.shifts)
+            ring = FloatRing(degree=top, order=top)
             known = _converted(known, ring)
             if order > lead:
                 _Stages(problem, linear, ring, known, order).run(bar, fresh=False)
@@ -161,9 +163,9 @@ class _Stages:
         self.expansion.forget(min(touched, default=k))
         self.open_kernel(k)
         if k <= self.order:
-            self.verify(k, "equation {name} has no solution at order {order} of λ, mode {mode}: no "
-                           "coefficient can change it; the equations contradict each other or the "
-                           "seed, or the first orders are still non-linear: then give a longer seed")
+            self.verify(k, "equation {name} has no solution at order {order} of λ, mode {mode}: "
+                           "no coefficient can change it; the equations contradict each other or "
+                           "the seed, or the first orders are non-linear: then give a longer seed")
 
     def residual(self, k):
         """The rows of R_{k+s}."""
@@ -267,8 +269,8 @@ def _whole(name, value, least):
     try:
         number = operator.index(value)
     except TypeError:
-        raise InputError(f"{name}={value!r} is not a whole number; give an int of at least {least}") \
-            from None
+        raise InputError(f"{name}={value!r} is not a whole number; give an int of at least "
+                         f"{least}") from None
     if isinstance(value, bool) or number < least:
         raise InputError(f"{name}={value!r}: give a whole number of at least {least}")
     return number

@@ -12,10 +12,11 @@ import tempfile
 
 from flint import arb, fmpq
 
-from .errors import FileError, InputError
-from .problem import Problem
 from . import solution as solutions
-from .trig import PolynomialRing, rational
+from .errors import FileError, InputError
+from .laurent import PolynomialRing
+from .problem import Problem
+from .trig import rational
 
 __all__ = ["save", "load"]
 
@@ -86,16 +87,14 @@ def load(path, problem=None):
     except OSError as error:
         raise FileError(f"cannot read {path!r}: {error.strerror}") from error
     except ValueError as error:
-        raise FileError(f"{path!r} is damaged or not JSON ({error}); save the solution again") from None
+        raise FileError(f"{path!r} is damaged or not JSON ({error}); save it again") from None
     if not isinstance(data, dict) or data.get("format") != "ftseries":
         raise FileError(f"{path!r} is not a saved ftseries solution")
     if data.get("version") != 1:
-        raise FileError(f"{path!r} has format version {data.get('version')!r}; this ftseries reads 1")
+        raise FileError(f"{path!r} has format version {data.get('version')!r}; this reads 1")
     try:
         return _solution(data, problem)
-    except (KeyError, TypeError, ValueError, IndexError, AttributeError, ZeroDivisionError) as error:
-        if isinstance(error, FileError):
-            raise
+    except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError) as error:
         raise FileError(f"{path!r} is damaged: {error}; save the solution again") from None
 
 
@@ -103,8 +102,8 @@ def _solution(data, problem):
     name, arguments = data["problem"]["name"], data["problem"]["arguments"]
     if problem is None:
         if name not in Problem.classes:
-            raise FileError(f"the file holds a solution of {name!r}, which is not known here; import "
-                            "its class or give load(path, problem=…)")
+            raise FileError(f"the file holds a solution of {name!r}, which is not known here; "
+                            "import its class or give load(path, problem=…)")
         problem = Problem.classes[name](**arguments)
     elif not isinstance(problem, Problem) or type(problem).__name__ != name:
         raise FileError(f"the file holds a solution of {name!r}, not of {problem!r}")

@@ -118,7 +118,7 @@ def closure_zero(sol, search=(0.0, 4.0)):
         sign = np.sign(closure(sol, lam))
     change = np.flatnonzero(sign[:-1] * sign[1:] <= 0)
     if not change.size:
-        raise FTSeriesError(f"S_x has no zero for {search[0]} < λ < {search[1]} at order {sol.order}; "
-                            "take a higher order or another search interval")
+        raise FTSeriesError(f"S_x has no zero for {search[0]} < λ < {search[1]} at order "
+                            f"{sol.order}; take a higher order or another search interval")
     left, right = lam[change[0]:change[0] + 2]
     return float(brentq(lambda x: float(closure(sol, x)), left, right, xtol=1e-15, rtol=1e-15))

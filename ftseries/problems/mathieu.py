@@ -23,7 +23,7 @@ class GeneralizedMathieu(Problem):
     Parameters
     ----------
     mu : number, optional
-        The real parameter μ; left out, it stays a symbol and the coefficients are polynomials in it.
+        The real parameter μ; left out, it stays a symbol and the coefficients are polynomials.
 
     Examples
     --------
@@ -43,8 +43,8 @@ class GeneralizedMathieu(Problem):
             try:
                 self.mu = rational(mu)
             except InputError:
-                raise InputError(f"mu={mu!r} is not a finite rational or float number; leave it out "
-                                 "to keep it as a symbol") from None
+                raise InputError(f"mu={mu!r} is not a finite rational or float number; leave it "
+                                 "out to keep it as a symbol") from None
 
     def equations(self, lam, psi, a):
         x = lam.expansion
