@@ -29,12 +29,12 @@ help:
 
 # --- set-up -----------------------------------------------------------------------------------
 
-$(READY): requirements.txt requirements.lock pyproject.toml
+$(READY): requirements.lock pyproject.toml
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	{ echo "Python 3.11 or later is needed: try make PYTHON=python3.12"; exit 1; }
 	@echo "==> installing the package and its tools into $(VENV)"
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install -r requirements.txt
+	$(BIN)/python -m pip install -c requirements.lock -e ".[book,test,browser]"
 	@touch $@
 
 # --- the book ---------------------------------------------------------------------------------

@@ -21,9 +21,8 @@ from .errors import (
 from .problem import Field, Problem, Scalar
 from .problems import CubicOscillator, FigureEight, GeneralizedMathieu, figure_eight
 from .series import cos, exp, sin
-from .solution import Solution
+from .solution import Solution, load
 from .solver import solve
-from .storage import load
 
 __version__ = "0.1.0"
 

@@ -11,8 +11,9 @@ import mpmath
 import numpy as np
 
 from .errors import ConvergenceWarning, InputError
+from .trig import finite
 
-__all__ = ["amplitudes", "fourier_sum", "radius_estimate", "warn_outside", "mp_evaluate"]
+__all__ = ["amplitudes", "broadcastable", "finite", "fourier_sum", "radius_estimate", "warn_outside", "mp_evaluate"]
 
 
 def amplitudes(table, lam):
@@ -83,10 +84,10 @@ def mp_evaluate(table, frequency, t, lam, dps):
     """The same sum with mpmath numbers; the tables hold functions of the working precision."""
     with mpmath.workdps(dps + 10):
         def value(time, parameter):
-            parameter = mpmath.mpmathify(parameter)
+            parameter = _mpf(parameter)
             rows = {mode: mpmath.polyval([c() for c in row[::-1]], parameter)
                     for mode, row in table.items()}
-            tau = mpmath.mpmathify(time)
+            tau = _mpf(time)
             if frequency is not None:
                 tau *= mpmath.polyval([c() for c in frequency[::-1]], parameter)
             return mpmath.fsum(a * (mpmath.sin if sine else mpmath.cos)(n * tau)
@@ -96,12 +97,18 @@ def mp_evaluate(table, frequency, t, lam, dps):
         return np.frompyfunc(lambda x: +x, 1, 1)(result)
 
 
-def finite(name, value):
-    """``value`` as a float array, all finite."""
+def _mpf(x):
+    """A number in the working precision; SymPy may hold it exactly."""
+    return mpmath.mpmathify(x.evalf(mpmath.mp.dps) if hasattr(x, "evalf") else x)
+
+
+def broadcastable(**values):
+    """The values as finite float arrays whose shapes fit together."""
+    arrays = {name: finite(name, value) for name, value in values.items()}
     try:
-        array = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(f"{name}={value!r} is not a real number or an array of them") from None
-    if not np.isfinite(array).all():
-        raise InputError(f"{name} contains a value that is NaN or infinite; give finite numbers")
-    return array
+        np.broadcast_shapes(*(array.shape for array in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
+        raise InputError(f"these shapes do not broadcast: {shapes}; add axes, such as t[:, None]") \
+            from None
+    return arrays

@@ -45,8 +45,8 @@ class Dual:
         return Dual(self.value.multiply_modes(multiplier), self.tangent.multiply_modes(multiplier))
 
     def power(self, alpha):
-        slope = self.value.power(alpha - 1).scale(alpha)
-        return Dual(self.value.power(alpha), slope * self.tangent)
+        value = self.value.power(alpha)
+        return Dual(value, self.value.power(alpha - 1).scale(alpha) * self.tangent)
 
     def exp(self):
         return Dual(self.value.exp(), self.tangent)
@@ -60,7 +60,7 @@ class DualRing(Ring):
     """Dual numbers over an exact ring."""
 
     def __init__(self, base):
-        self.base, self.number = base, base.number
+        self.base, self.number, self.names = base, base.number, base.names
         self.zero = base.from_modes({})
 
     def parameter(self, name):
@@ -94,7 +94,7 @@ def tangent(problem, ring, base, direction, top):
                  (direction[k] if k < len(direction) else {}).items() if other == name}
             unknowns[name].set(k, Dual(ring.from_modes(known[k] if k < len(known) else {}),
                                        ring.from_modes({m: ring.number(c) for m, c in v.items()})))
-    residuals = problem.equations(expansion.lam, **unknowns)
+    residuals = problem.residuals(expansion.lam, unknowns)
     return [{(e, *mode): c for e, r in enumerate(residuals.values())
              for mode, c in r[k].tangent.modes().items()} for k in range(top + 1)]
 
@@ -208,8 +208,8 @@ class LinearPart:
                 for e, *_ in rows:
                     shifts[e] = min(shifts.get(e, k), k)
         blank = Expansion(DualRing(self.ring))
-        self.names = list(self.problem.equations(
-            blank.lam, **{name: blank.unknown() for name in self.problem.unknowns}))
+        self.names = list(self.problem.residuals(
+            blank.lam, {name: blank.unknown() for name in self.problem.unknowns}))
         for e, name in enumerate(self.names):
             if e not in shifts:
                 raise ContradictionError(f"equation {name} does not depend on any unknown up to "

@@ -10,14 +10,21 @@ A problem gives its equations as residuals (left side minus right side) and the 
 coefficients, found by hand, which choose one of the solutions of the first non-linear equations.
 """
 
+import ast
 from dataclasses import dataclass
 
+import sympy as sp
+
 from .errors import InputError
+from .series import Series
 from .trig import rational
 
-__all__ = ["Field", "Scalar", "Problem"]
+__all__ = ["Field", "Scalar", "Problem", "expression"]
 
 _PARITIES = {"all": (0, 1), "even": (0,), "odd": (1,)}
+_SAFE = (ast.Expression, ast.BinOp, ast.UnaryOp, ast.operator, ast.unaryop, ast.Constant, ast.Name,
+         ast.Load)
+_SINES = {"cos": (0,), "sin": (1,), "both": (0, 1)}
 
 
 @dataclass(frozen=True)
@@ -30,9 +37,10 @@ class Field:
         The Fourier modes of the ansatz.
     modes, powers : "all", "even" or "odd"
         Fourier orders n and Taylor orders m of the ansatz.
-    fixed : tuple of int
-        Fourier orders that the seed gives completely: their later coefficients are zero.  This is
-        how λ gets the meaning "amplitude of that mode".
+    fixed : tuple of int or of (sine, n)
+        Modes that the seed gives completely: their later coefficients are zero.  This is how λ gets
+        the meaning "amplitude of that mode".  A Fourier order n means the cosine and the sine;
+        (1, n) the sine alone, (0, n) the cosine alone.
     """
 
     series: str = "cos"
@@ -41,15 +49,29 @@ class Field:
     fixed: tuple = ()
 
     def __post_init__(self):
-        if self.series not in ("cos", "sin", "both"):
+        if self.series not in tuple(_SINES):
             raise InputError(f"series={self.series!r}: choose 'cos', 'sin' or 'both'")
         _check_parity(self)
+        if not isinstance(self.fixed, tuple) or not all(
+                self.has(mode if isinstance(mode, tuple) else self.mode(mode))
+                for mode in self.fixed):
+            raise InputError(f"fixed={self.fixed!r}: give a tuple of Fourier orders n of the ansatz, "
+                             "such as (1,), or of modes (sine, n)")
 
     def columns(self, top):
         """The modes (sine, n) of the ansatz with n ≤ top, highest first."""
-        sines = {"cos": (0,), "sin": (1,), "both": (0, 1)}[self.series]
-        return [(sine, n) for n in range(top, -1, -1) for sine in sines
-                if n % 2 in _PARITIES[self.modes] and n not in self.fixed and (n or not sine)]
+        return [(sine, n) for n in range(top, -1, -1) for sine in (0, 1)
+                if self.has((sine, n)) and not self.is_fixed((sine, n))]
+
+    def has(self, mode):
+        """Is this mode (sine, n) part of the ansatz?"""
+        sine, n = mode if len(mode) == 2 else (None, None)
+        return (isinstance(n, int) and n >= 0 and sine in _SINES[self.series]
+                and n % 2 in _PARITIES[self.modes] and (n > 0 or not sine))
+
+    def is_fixed(self, mode):
+        """Does the seed give this mode (sine, n) completely?"""
+        return mode in self.fixed or mode[1] in self.fixed
 
     def mode(self, key):
         """A mode given by hand: n, or (sine, n) where both kinds occur."""
@@ -71,14 +93,48 @@ class Scalar:
     def columns(self, top):
         return [(0, 0)]
 
+    def has(self, mode):
+        return mode == (0, 0)
+
+    def is_fixed(self, mode):
+        return False
+
     def mode(self, key):
-        return 0, 0
+        return 0, key
 
 
 def _check_parity(unknown):
     for what in ("modes", "powers"):
-        if getattr(unknown, what) not in _PARITIES:
+        if getattr(unknown, what) not in tuple(_PARITIES):
             raise InputError(f"{what}={getattr(unknown, what)!r}: choose 'all', 'even' or 'odd'")
+
+
+def expression(x):
+    """A number, SymPy expression or text as a SymPy expression; decimals become rationals.
+
+    A text may hold numbers, names (of positive symbols), + - * / ** and sqrt, and nothing else:
+    it may come from a file.
+
+    >>> expression("2*sqrt(3)/a"), expression(0.1)
+    (2*sqrt(3)/a, 1/10)
+    """
+    try:
+        if isinstance(x, str):
+            nodes = list(ast.walk(ast.parse(x, mode="eval")))
+            names = {node.id for node in nodes if isinstance(node, ast.Name)}
+            if not all(isinstance(node, _SAFE) or (isinstance(node, ast.Call)
+                                                   and isinstance(node.func, ast.Name)
+                                                   and node.func.id == "sqrt") for node in nodes):
+                raise ValueError(x)
+            symbols = {name: sp.Symbol(name, positive=True) for name in names - {"sqrt"}}
+            result = sp.sympify(x, locals=symbols, rational=True)
+        else:
+            result = sp.nsimplify(x, rational=True) if isinstance(x, float) else sp.sympify(x)
+    except (sp.SympifyError, SyntaxError, TypeError, ValueError):
+        result = None
+    if not isinstance(result, sp.Expr):
+        raise InputError(f"{x!r} is not a number or a SymPy expression")
+    return result
 
 
 class Problem:
@@ -95,12 +151,15 @@ class Problem:
         Names carried as symbols; exact coefficients are polynomials in them.
     frequency : str or None
         The scalar ω in τ = ωt; None where the period is 2π.
+    ahead : int
+        How far Fourier orders may run ahead of Taylor orders: n ≤ m + ahead.  The paper has 0.
     """
 
     unknowns = {}
     seed = {}
     parameters = ()
     frequency = None
+    ahead = 0
     #: every problem class by name, so that a saved solution finds its own
     classes = {}
 
@@ -110,11 +169,38 @@ class Problem:
 
     def equations(self, lam, **unknowns):
         """The residuals, a dict from the equation's name to a :class:`ftseries.series.Series`."""
-        raise NotImplementedError
+        raise InputError(f"{type(self).__name__} has no equations; define its method 'equations'")
+
+    def residuals(self, lam, unknowns):
+        """:meth:`equations`, checked to be a dict of series."""
+        residuals = self.equations(lam, **unknowns)
+        if not isinstance(residuals, dict) or not residuals:
+            raise InputError(f"{type(self).__name__}.equations must return a dict from the name of "
+                             f"each equation to its residual, not {residuals!r}")
+        for name, residual in residuals.items():
+            if not isinstance(residual, Series):
+                raise InputError(f"equation {name} of {type(self).__name__} is {residual!r}, not a "
+                                 "series; write left side minus right side in the unknowns")
+        return residuals
+
+    #: the SymPy number in which λ is measured
+    lam_scale = sp.S.One
+
+    def scale(self, name):
+        """The SymPy number in which an unknown is measured."""
+        return sp.S.One
 
     def unit(self, name, m):
-        """The SymPy number that turns the solver's coefficient of order m into the paper's."""
-        return 1
+        """What turns the solver's coefficient of order m into the paper's."""
+        return sp.sympify(self.scale(name)) / sp.sympify(self.lam_scale) ** m
+
+    def first_lam(self, solution):
+        """A first guess of the λ that :meth:`condition` singles out."""
+        raise InputError(f"{type(self).__name__} has no condition that singles out a λ; give lam")
+
+    def condition(self, lam, **unknowns):
+        """A function whose mean vanishes at the λ that is sought, where the problem has one."""
+        raise InputError(f"{type(self).__name__} has no condition that singles out a λ; give lam")
 
     def arguments(self):
         """What the constructor needs to make this problem again, as plain JSON values."""
@@ -126,11 +212,32 @@ class Problem:
 
     def allowed(self, name, n, m):
         """May mode n of an unknown have a coefficient of Taylor order m, beyond the seed?"""
-        return (n <= m and m >= len(self.seed[name])
+        return (n <= m + self.ahead and m >= len(self.seed[name])
                 and m % 2 in _PARITIES[self.unknowns[name].powers])
+
+    def check(self):
+        """Refuse a declaration that cannot be meant."""
+        kind = type(self).__name__
+        if not self.unknowns:
+            raise InputError(f"{kind} has no unknowns; declare its Fields and Scalars")
+        for name, unknown in self.unknowns.items():
+            if not isinstance(unknown, (Field, Scalar)):
+                raise InputError(f"the unknown {name} of {kind} is {unknown!r}; declare it as a "
+                                 "Field or a Scalar")
+        if self.frequency is not None and not isinstance(self.unknowns.get(self.frequency), Scalar):
+            raise InputError(f"frequency={self.frequency!r} of {kind} is not one of its unknown "
+                             "scalars")
+        if not isinstance(self.parameters, tuple):
+            raise InputError(f"parameters={self.parameters!r} of {kind}: give a tuple of names, "
+                             "such as ('mu',)")
 
     def first_coefficients(self):
         """The seed as ``{name: [{(sine, n): fmpq}, …]}``; refuses a missing or foreign one."""
+        self.check()
+        if not isinstance(self.seed, dict) or not all(
+                isinstance(rows, (list, tuple)) for rows in self.seed.values()):
+            raise InputError(f"seed={self.seed!r} of {type(self).__name__}: give a dict from each "
+                             "unknown to the list of its first Taylor coefficients")
         missing = [name for name in self.unknowns if not self.seed.get(name)]
         if missing:
             raise InputError(f"{type(self).__name__} has no seed for {', '.join(missing)}: give "
@@ -139,7 +246,15 @@ class Problem:
         if foreign:
             raise InputError(f"the seed names {', '.join(sorted(foreign))}, which is not an "
                              f"unknown of {type(self).__name__}; it has {', '.join(self.unknowns)}")
-        return {name: [{unknown.mode(n): rational(c) for n, c in
-                        (row if isinstance(row, dict) else {0: row}).items() if c != 0}
-                       for row in self.seed[name]]
-                for name, unknown in self.unknowns.items()}
+        return {name: [self._seed_row(name, m, row) for m, row in enumerate(self.seed[name])]
+                for name in self.unknowns}
+
+    def _seed_row(self, name, m, row):
+        unknown = self.unknowns[name]
+        row = {unknown.mode(n): c for n, c in (row if isinstance(row, dict) else {0: row}).items()}
+        for mode in row:
+            top = m + self.ahead
+            if not unknown.has(mode) or mode[1] > top:
+                raise InputError(f"the seed of {name} at order {m} of λ has the mode {mode}, which "
+                                 f"the ansatz {unknown} with Fourier orders n ≤ {top} leaves out")
+        return {mode: rational(c) for mode, c in row.items() if c != 0}

@@ -47,7 +47,10 @@ class Expansion:
         return self.polynomial([{(0, 0): self.ring.number(number)}])
 
     def parameter(self, name):
-        """A named parameter of a :class:`ftseries.trig.PolynomialRing`."""
+        """A named parameter of a :class:`ftseries.laurent.PolynomialRing`."""
+        if name not in self.ring.names:
+            raise InputError(f"{name!r} is not a parameter of this problem; list it in its "
+                             "attribute 'parameters'")
         return self.polynomial([{(0, 0): self.ring.parameter(name)}])
 
     def cos(self, n):
@@ -115,7 +118,10 @@ class Series:
     def __truediv__(self, other):
         if isinstance(other, Series):
             return self * other**-1
-        return Multiple(self, 1 / rational(other))
+        number = rational(other)
+        if number == 0:
+            raise InputError("a series is divided by the number zero")
+        return Multiple(self, 1 / number)
 
     def __rtruediv__(self, other):
         return self**-1 * other
@@ -275,8 +281,9 @@ class Power(Convolution):
 
     def step(self, k):
         if k == 0:
+            first = self.u[0].power(self.alpha)
             self.inverse = self.u[0].power(-1)
-            return self.u[0].power(self.alpha)
+            return first
         p, q = int(self.alpha.p), int(self.alpha.q)
         if p == -q:
             return self.inverse * self.sum(self.u, self, k, 1, -1)

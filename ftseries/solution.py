@@ -14,17 +14,19 @@ from functools import lru_cache
 import mpmath
 import numpy as np
 import sympy as sp
-from flint import arb, ctx, fmpq
+from flint import arb, ctx
 
 from . import display, evaluation, storage
+from .conversion import at, to_ball, to_float, to_mpf, to_sympy
 from .errors import InputError
 from .problem import Scalar
+from .quality import Quality
 from .trig import rational
 
-__all__ = ["Solution"]
+__all__ = ["Solution", "load"]
 
 
-class Solution:
+class Solution(Quality):
     """The truncated Fourier-Taylor series of every unknown; made by :func:`ftseries.solve`.
 
     Attributes
@@ -128,10 +130,10 @@ class Solution:
         elif t is None:
             raise InputError(f"{name!r} depends on time: evaluate({name!r}, t, lam=…)")
         self._check_parameters(parameters)
+        values = evaluation.broadcastable(t=t, lam=lam, **parameters)
         if dps is not None:
             return self._evaluate_mp(name, t, lam, dps, parameters)
-        t, lam = evaluation.finite("t", t), evaluation.finite("lam", lam)
-        values = {key: evaluation.finite(key, value) for key, value in parameters.items()}
+        t, lam = values.pop("t"), values.pop("lam")
         if all(v.ndim == 0 for v in values.values()):
             result = self._evaluate(name, t, lam, tuple((k, float(v)) for k, v in values.items()))
         else:
@@ -162,8 +164,8 @@ class Solution:
         """``{(sine, n): [A_{n,0}, A_{n,1}, …]}`` as floats in the paper's units."""
         self._unknown(name)
         self._check_parameters(parameters)
-        return {mode: list(row) for mode, row in
-                self._table(name, tuple((k, float(v)) for k, v in parameters.items())).items()}
+        values = tuple((k, float(evaluation.finite(k, v))) for k, v in parameters.items())
+        return {mode: list(row) for mode, row in self._table(name, values).items()}
 
     def _unknown(self, name):
         try:
@@ -189,22 +191,26 @@ class Solution:
             given = ", ".join(sorted(parameters)) or "none"
             raise InputError(f"{self.problem!r} needs {needs}; given: {given}")
 
+    def _point(self, parameters):
+        """The values of the free parameters, in their order, as rationals."""
+        return [rational(parameters[p]) for p in self.problem.parameters]
+
     def _in_unit(self, name, m, number):
         """A solver's number (or None for zero) in the paper's unit and the caller's type."""
         unit = sp.sympify(self.problem.unit(name, m))
         if self.arithmetic == "exact":
-            return sp.S.Zero if number is None else unit * _sympy(number, self.problem.parameters)
+            return sp.S.Zero if number is None else unit * to_sympy(number, self.problem.parameters)
         if unit.free_symbols:
             raise InputError(f"{self.problem!r} has a symbol in its unit; give it a value, or "
                              "solve with arithmetic='exact'")
         if self.arithmetic == "float":
             return 0.0 if number is None else float(unit) * number
         with ctx.workprec(self.precision):
-            return arb(0) if number is None else _ball(unit) * number
+            return arb(0) if number is None else to_ball(unit) * number
 
     def _make_table(self, name, parameters):
         table = {}
-        point = [fmpq(0), *(rational(dict(parameters)[p]) for p in self.problem.parameters)]
+        point = self._point(dict(parameters))
         for m, row in enumerate(self.coefficients[name]):
             unit = sp.sympify(self.problem.unit(name, m))
             if unit.free_symbols:
@@ -212,8 +218,8 @@ class Solution:
                                  "number to evaluate")
             unit = float(unit)
             for mode, number in row.items():
-                value = number(*point) if hasattr(number, "context") else number
-                table.setdefault(mode, np.zeros(self.order + 1))[m] = unit * _float(value)
+                table.setdefault(mode, np.zeros(self.order + 1))[m] = (
+                    unit * to_float(at(number, point)))
         return table
 
     def _evaluate(self, name, t, lam, parameters):
@@ -239,22 +245,21 @@ class Solution:
         return result
 
     def _evaluate_mp(self, name, t, lam, dps, parameters):
-        if not isinstance(dps, int) or dps < 1:
+        if isinstance(dps, bool) or not isinstance(dps, int) or dps < 1:
             raise InputError(f"dps={dps!r}: give the number of decimal digits, at least 1")
-        for key, value in {"t": t, "lam": lam, **parameters}.items():
-            evaluation.finite(key, value)
+        if any(np.ndim(value) for value in parameters.values()):
+            raise InputError(f"with dps, give one value of {', '.join(parameters)} at a time")
         floats = tuple((k, float(v)) for k, v in parameters.items())
         evaluation.warn_outside(self._table(name, floats), name, np.asarray(lam, dtype=float))
-        point = [fmpq(0), *(rational(parameters[p]) for p in self.problem.parameters)]
+        point = self._point(parameters)
 
         def rows(which):
             table = {}
             for m, row in enumerate(self.coefficients[which]):
                 unit = sp.lambdify((), sp.sympify(self.problem.unit(which, m)), "mpmath")
                 for mode, number in row.items():
-                    value = number(*point) if hasattr(number, "context") else number
                     table.setdefault(mode, [mpmath.mpf] * (self.order + 1))[m] = (
-                        lambda unit=unit, value=value: unit() * _mpf(value))
+                        lambda unit=unit, number=number: unit() * to_mpf(at(number, point)))
             return table
 
         frequency = self.problem.frequency
@@ -264,36 +269,29 @@ class Solution:
                                       t, lam, dps)
 
 
-def _sympy(number, names):
-    if isinstance(number, fmpq):
-        return sp.Rational(int(number.p), int(number.q))
-    symbols = [sp.Symbol(name) for name in names]
-    return sp.Add(*(sp.Rational(int(c.p), int(c.q)) * sp.prod(map(sp.Pow, symbols, exponents))
-                    for (_, *exponents), c in number.to_dict().items()))
+def load(path, problem=None):
+    """Read a solution written by :meth:`Solution.save`.
 
+    Parameters
+    ----------
+    path : str or path
+    problem : Problem, optional
+        Needed when the problem's class has not been imported or cannot be made from its
+        ``arguments()``.
 
-def _float(number):
-    return int(number.p) / int(number.q) if isinstance(number, fmpq) else float(number)
+    Raises
+    ------
+    FileError
+        The file is missing, damaged, or of another kind.
 
-
-def _mpf(number):
-    if isinstance(number, fmpq):
-        return mpmath.mpf(int(number.p)) / int(number.q)
-    if isinstance(number, arb):
-        mantissa, exponent = number.mid().man_exp()
-        return mpmath.mpf(int(mantissa)) * mpmath.mpf(2) ** int(exponent)
-    return mpmath.mpf(number)
-
-
-def _ball(unit):
-    """A SymPy number as a ball that encloses it, at the precision in force."""
-    if unit.is_Rational:
-        return arb(int(unit.p)) / int(unit.q)
-    if unit.is_Pow:
-        return _ball(unit.base) ** _ball(unit.exp)
-    if unit.is_Mul:
-        product = arb(1)
-        for factor in unit.args:
-            product *= _ball(factor)
-        return product
-    raise InputError(f"the unit {unit} is not a product of powers of rationals")
+    Examples
+    --------
+    >>> import ftseries as fts, os, tempfile
+    >>> sol = fts.solve(fts.GeneralizedMathieu(), order=9)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = os.path.join(folder, "mathieu.json")
+    ...     sol.save(file)
+    ...     fts.load(file).coefficients == sol.coefficients
+    True
+    """
+    return Solution(*storage.read(path, problem))

@@ -16,6 +16,7 @@ The structure (kernel, settling) is always found in exact arithmetic; ``float`` 
 on from the exact first orders.
 """
 
+import math
 import operator
 import os
 
@@ -87,10 +88,12 @@ def solve(problem, order, arithmetic="exact", precision=128, progress=True):
         raise InputError(f"{', '.join(problem.parameters)} is a free parameter, which only "
                          "arithmetic='exact' can carry; give it a value in "
                          f"{type(problem).__name__}")
-    _check_memory(problem, order, arithmetic)
+    seed = problem.first_coefficients()
+    _check_memory(problem, order, arithmetic, precision)
     ring = PolynomialRing(problem.parameters) if problem.parameters else RationalRing()
-    known = _converted(problem.first_coefficients(), ring)
-    linear = LinearPart(problem, ring, known, order + LATEST)
+    known = _converted(seed, ring)
+    asked, order = order, max(order, *(len(rows) for rows in seed.values()))    # checks the seed
+    linear = LinearPart(problem, ring, known, order + LATEST + problem.ahead)
     lead = order if arithmetic == "exact" else min(order, LEAD)
     bar = tqdm(total=order, desc=f"order of {type(problem).__name__}", delay=3, leave=False,
                disable=not progress)
@@ -98,7 +101,7 @@ def solve(problem, order, arithmetic="exact", precision=128, progress=True):
         _Stages(problem, linear, ring, known, lead).run(bar)
         if arithmetic == "float":
             top = order + LATEST + max(linear.shifts)
-            ring = FloatRing(degree=top, order=top)
+            ring = FloatRing(degree=top + problem.ahead, order=top)
             known = _converted(known, ring)
             if order > lead:
                 _Stages(problem, linear, ring, known, order).run(bar, fresh=False)
@@ -108,7 +111,8 @@ def solve(problem, order, arithmetic="exact", precision=128, progress=True):
                 known = _converted(known, ring)
                 if order > lead:
                     _Stages(problem, linear, ring, known, order).run(bar, fresh=False)
-    return Solution(problem, arithmetic, order, known, precision if arithmetic == "ball" else None)
+    return Solution(problem, arithmetic, order, known,
+                    precision if arithmetic == "ball" else None).truncate(asked)
 
 
 def _converted(known, ring):
@@ -124,7 +128,7 @@ class _Stages:
         self.known, self.order = known, order
         self.expansion = Expansion(ring)
         self.unknowns = {name: self.expansion.unknown() for name in problem.unknowns}
-        self.residuals = list(problem.equations(self.expansion.lam, **self.unknowns).values())
+        self.residuals = list(problem.residuals(self.expansion.lam, self.unknowns).values())
         self.elimination = linear.elimination
         if not isinstance(ring, RationalRing):
             self.elimination = self.elimination.converted(ring.number)
@@ -164,15 +168,16 @@ class _Stages:
         self.open_kernel(k)
         if k <= self.order:
             self.verify(k, "equation {name} has no solution at order {order} of λ, mode {mode}: "
-                           "no coefficient can change it; the equations contradict each other or "
-                           "the seed, or the first orders are non-linear: then give a longer seed")
+                           "no coefficient can change it; the equations contradict each other, the "
+                           "seed or the ansatz, or the first orders are non-linear: then give a "
+                           "longer seed")
 
     def residual(self, k):
         """The rows of R_{k+s}."""
         rows = {}
         for e, (series, shift) in enumerate(zip(self.residuals, self.linear.shifts)):
             for (sine, n), c in series[k + shift].modes().items():
-                if self.ring.exact or n <= k + shift:
+                if self.ring.exact or n <= k + shift + self.problem.ahead:
                     rows[e, sine, n] = c
         return rows
 
@@ -220,9 +225,12 @@ class _Stages:
             for (name, sine, n), c in update.items():
                 if not self.problem.allowed(name, n, m):
                     if not self.ring.negligible(c, scale):
-                        raise SolveError(
-                            f"the ansatz is too narrow: the equations ask for "
-                            f"{_label(self.problem, name, sine, n, m)} = {c}, which it leaves out")
+                        label = _label(self.problem, name, sine, n, m)
+                        if m < len(self.problem.seed[name]):
+                            raise SolveError("the seed does not satisfy the equations: they would "
+                                             f"change {label} by {c}")
+                        raise SolveError("the ansatz is too narrow: the equations ask for "
+                                         f"{label} = {c}, which it leaves out")
                     continue
                 row = self.known[name][m]
                 row[sine, n] = row[sine, n] + c if (sine, n) in row else c
@@ -276,14 +284,16 @@ def _whole(name, value, least):
     return number
 
 
-def _check_memory(problem, order, arithmetic):
+def _check_memory(problem, order, arithmetic, precision):
     """Refuse an order whose tables cannot fit: about (nodes · order²/2) numbers."""
-    nodes, size = 24 * len(problem.unknowns), 8 if arithmetic == "float" else 64
+    nodes = 24 * len(problem.unknowns)
+    size = {"float": 8, "exact": 64, "ball": 64 + precision // 4}[arithmetic]
     try:
         memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     except (AttributeError, ValueError, OSError):
         memory = 2**33
-    if nodes * size * order**2 / 2 > memory:
-        most = int((2 * memory / (nodes * size)) ** 0.5)
+    if nodes * size * (order + 1)**2 // 2 > memory:
+        most = math.isqrt(2 * memory // (nodes * size))
+        bits = f" and precision={precision}" if arithmetic == "ball" else ""
         raise InputError(f"order={order} needs more memory than this machine has; with "
-                         f"arithmetic={arithmetic!r} stay below about {most}")
+                         f"arithmetic={arithmetic!r}{bits} stay below about {most}")

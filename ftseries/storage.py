@@ -1,24 +1,25 @@
 """Solutions as JSON files: exact numbers as strings, floats as shortest round-trip decimals.
 
 Format 1: ``{"format": "ftseries", "version": 1, "problem": {"name", "arguments"}, "arithmetic",
-"order", "precision", "coefficients": {unknown: [[[sine, n, number], …] for each Taylor order]}}``.
+"order", "precision", "coefficients": {unknown: [[[sine, n, number], …] for each Taylor order]},
+"sha256"}``, the last one of everything else, so that no damage goes unnoticed.
 A rational is "p/q", a polynomial a dict from exponents "i,j" to rationals, a ball the four integers
 [midpoint mantissa, exponent, radius mantissa, exponent], which keep it bit for bit.
 """
 
+import hashlib
 import json
 import os
 import tempfile
 
 from flint import arb, fmpq
 
-from . import solution as solutions
 from .errors import FileError, InputError
 from .laurent import PolynomialRing
 from .problem import Problem
 from .trig import rational
 
-__all__ = ["save", "load"]
+__all__ = ["save", "read"]
 
 
 def save(solution, path):
@@ -39,74 +40,62 @@ def save(solution, path):
                                 for row in rows]
                          for name, rows in solution.coefficients.items()},
     }
+    text = json.dumps(data | {"sha256": _digest(data)})
     path = os.fspath(path)
     temporary = None
     try:
         with tempfile.NamedTemporaryFile("w", dir=os.path.dirname(path) or ".", delete=False,
                                          encoding="utf-8", suffix=".part") as file:
             temporary = file.name
-            json.dump(data, file)
+            file.write(text)
             file.flush()
             os.fsync(file.fileno())
         os.replace(temporary, path)
     except OSError as error:
+        raise FileError(f"cannot write {path!r}: {error.strerror}; choose another place") from error
+    finally:
         if temporary and os.path.exists(temporary):
             os.unlink(temporary)
-        raise FileError(f"cannot write {path!r}: {error.strerror}; choose another place") from error
 
 
-def load(path, problem=None):
-    """Read a solution written by :func:`save`.
+def _digest(data):
+    return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()
 
-    Parameters
-    ----------
-    path : str or path
-    problem : Problem, optional
-        Needed when the problem's class has not been imported or cannot be made from its
-        ``arguments()``.
 
-    Raises
-    ------
-    FileError
-        The file is missing, damaged, or of another kind.
-
-    Examples
-    --------
-    >>> import ftseries as fts, os, tempfile
-    >>> sol = fts.solve(fts.GeneralizedMathieu(), order=9)
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     file = os.path.join(folder, "mathieu.json")
-    ...     sol.save(file)
-    ...     fts.load(file).coefficients == sol.coefficients
-    True
-    """
+def read(path, problem=None):
+    """What :class:`ftseries.Solution` is made of, from a file written by :func:`save`."""
     path = os.fspath(path)
     try:
         with open(path, encoding="utf-8") as file:
             data = json.load(file)
     except OSError as error:
         raise FileError(f"cannot read {path!r}: {error.strerror}") from error
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise FileError(f"{path!r} is damaged or not JSON ({error}); save it again") from None
     if not isinstance(data, dict) or data.get("format") != "ftseries":
         raise FileError(f"{path!r} is not a saved ftseries solution")
     if data.get("version") != 1:
         raise FileError(f"{path!r} has format version {data.get('version')!r}; this reads 1")
+    if data.pop("sha256", None) != _digest(data):
+        raise FileError(f"{path!r} is damaged: its contents do not match their checksum; save the "
+                        "solution again")
     try:
-        return _solution(data, problem)
+        return _contents(data, problem)
     except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError) as error:
         raise FileError(f"{path!r} is damaged: {error}; save the solution again") from None
 
 
-def _solution(data, problem):
+def _contents(data, problem):
     name, arguments = data["problem"]["name"], data["problem"]["arguments"]
     if problem is None:
         if name not in Problem.classes:
             raise FileError(f"the file holds a solution of {name!r}, which is not known here; "
                             "import its class or give load(path, problem=…)")
         problem = Problem.classes[name](**arguments)
-    elif not isinstance(problem, Problem) or type(problem).__name__ != name:
-        raise FileError(f"the file holds a solution of {name!r}, not of {problem!r}")
+    elif (not isinstance(problem, Problem) or type(problem).__name__ != name
+          or problem.arguments() != arguments):
+        inner = ", ".join(f"{key}={value}" for key, value in arguments.items())
+        raise FileError(f"the file holds a solution of {name}({inner}), not of {problem!r}")
     arithmetic, order = data["arithmetic"], data["order"]
     decode = {"exact": _polynomial(problem.parameters) if problem.parameters else _rational,
               "float": float, "ball": _ball}[arithmetic]
@@ -116,7 +105,7 @@ def _solution(data, problem):
         if len(rows) != order + 1:
             raise InputError(f"{unknown} has {len(rows)} Taylor orders instead of {order + 1}")
         coefficients[unknown] = [{(sine, n): decode(c) for sine, n, c in row} for row in rows]
-    return solutions.Solution(problem, arithmetic, order, coefficients, data["precision"])
+    return problem, arithmetic, order, coefficients, data["precision"]
 
 
 def _encode(number):

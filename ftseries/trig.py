@@ -24,11 +24,14 @@ numbers and balls (:mod:`ftseries.laurent`), values on a grid for floats (:mod:`
 
 from fractions import Fraction
 
+import numpy as np
 from flint import fmpq
+from mpmath import isfinite
+from mpmath.libmp import to_rational
 
 from .errors import InputError, NonAnalyticError
 
-__all__ = ["Trig", "Ring", "Table", "rational"]
+__all__ = ["Trig", "Ring", "Table", "finite", "rational"]
 
 
 def rational(x):
@@ -39,12 +42,25 @@ def rational(x):
     """
     if isinstance(x, fmpq):
         return x
+    if hasattr(x, "_mpf_"):                                        # mpmath or a SymPy Float
+        x = Fraction(*to_rational(x._mpf_)) if isfinite(x) else float(x)
     try:
         f = Fraction(int(x.p), int(x.q)) if hasattr(x, "p") and hasattr(x, "q") else Fraction(x)
     except (TypeError, ValueError, OverflowError):
         raise InputError(f"{x!r} is not a rational number; give an int, a Fraction, a decimal "
                          "string or a SymPy Rational") from None
     return fmpq(f.numerator, f.denominator)
+
+
+def finite(name, value):
+    """``value`` as a float array, all finite."""
+    try:
+        array = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"{name}={value!r} is not a real number or an array of them") from None
+    if not np.isfinite(array).all():
+        raise InputError(f"{name} contains a value that is NaN or infinite; give finite numbers")
+    return array
 
 
 class Trig:
@@ -111,6 +127,8 @@ class Trig:
 class Ring:
     """Arithmetic of finite Fourier sums; subclasses say what a number and a part are."""
 
+    #: the free parameters, which :class:`ftseries.laurent.PolynomialRing` carries
+    names = ()
     #: is the residual decided exactly (or by balls), or up to rounding?
     exact = True
 
@@ -137,8 +155,8 @@ class Ring:
         quarters = 4 * rational(fraction)
         if quarters.q != 1:
             raise InputError(f"a shift by {fraction} of a period multiplies some mode by an "
-                             "irrational number; in exact arithmetic use the sum over opposite "
-                             "shifts (Series.neighbours), or arithmetic='float' or 'ball'")
+                             "irrational number, but every solve begins in exact arithmetic; use "
+                             "the sum over all shifts of a choreography, Series.neighbours")
         return ((1, 0), (0, 1), (-1, 0), (0, -1))[int(quarters.p) % 4]
 
     def negligible(self, number, scale):

@@ -12,7 +12,7 @@ coefficients of x and Ω are rational.  Then A_{n,m}(a) = a^{1-m} A_{n,m}(1) and
 import sympy as sp
 
 from ..errors import InputError
-from ..problem import Field, Problem, Scalar
+from ..problem import Field, Problem, Scalar, expression
 
 __all__ = ["CubicOscillator"]
 
@@ -38,20 +38,19 @@ class CubicOscillator(Problem):
     frequency = "omega"
 
     def __init__(self, a=1):
-        try:
-            self.a = sp.nsimplify(a, rational=True) if isinstance(a, float) else sp.sympify(a)
-        except (sp.SympifyError, TypeError, ValueError):
-            raise InputError(f"a={a!r} is not a number or a SymPy expression") from None
+        self.a = expression(a)
         if self.a.is_positive is False or self.a in (sp.nan, sp.oo, sp.zoo):
             raise InputError(f"a={a!r}: the parameter a of (C1) must be positive and finite")
 
     def equations(self, lam, x, omega):
         return {"(C3)": 12 * omega**2 * x.diff()**2 - 4 * (x - 2) * (x - lam + 1) * (x + lam + 1)}
 
-    def unit(self, name, m):
-        if name == "x":
-            return self.a ** (1 - m)
-        return 2 * sp.sqrt(3) * self.a ** (sp.Rational(1, 2) - m)
+    def scale(self, name):
+        return self.a if name == "x" else 2 * sp.sqrt(3) * sp.sqrt(self.a)
+
+    @property
+    def lam_scale(self):
+        return self.a
 
     def arguments(self):
         return {"a": str(self.a)}

@@ -18,6 +18,7 @@ from scipy.optimize import brentq
 from ..errors import ConvergenceWarning, FTSeriesError, InputError
 from ..problem import Field, Problem
 from ..series import cos, sin
+from ..trig import finite
 
 __all__ = ["FigureEight", "positions", "closure", "closure_zero"]
 
@@ -47,15 +48,22 @@ class FigureEight(Problem):
             "(E3b)": r * phi.diff(2) + 2 * r.diff() * phi.diff() + (s * x - c * y) / 3,
         }
 
-    def unit(self, name, m):
-        return sp.cbrt(3) if name == "r" else 1
+    def first_lam(self, solution):
+        return closure_zero(solution)
+
+    def condition(self, lam, r, phi):
+        """Its mean is S_x/3, so it vanishes at the physical λ (E4)."""
+        return r * cos(phi)
+
+    def scale(self, name):
+        return sp.cbrt(3) if name == "r" else sp.S.One
 
 
 def _relative(sol, t, lam):
     """r_12, r_23, r_31 as complex numbers."""
-    if not isinstance(sol.problem, FigureEight):
+    if not isinstance(getattr(sol, "problem", None), FigureEight):
         raise InputError(f"{sol!r} is not a figure eight; solve FigureEight() first")
-    times = np.asarray(t, dtype=float)[..., *(None,) * np.ndim(lam)]
+    times = finite("t", t)[..., *(None,) * np.ndim(lam)]
     times = np.stack([times, times - 2 * np.pi / 3, times + 2 * np.pi / 3])
     return sol.evaluate("r", times, lam=lam) * np.exp(1j * sol.evaluate("phi", times, lam=lam))
 
@@ -112,7 +120,9 @@ def closure_zero(sol, search=(0.0, 4.0)):
     >>> round(fts.figure_eight.closure_zero(fts.solve(fts.FigureEight(), order=6)), 5)
     2.09531
     """
-    lam = np.linspace(*search, 801)
+    if np.shape(search) != (2,):
+        raise InputError(f"search={search!r}: give the two ends of an interval of λ")
+    lam = np.linspace(*finite("search", search), 801)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ConvergenceWarning)       # the scan goes past the zero
         sign = np.sign(closure(sol, lam))

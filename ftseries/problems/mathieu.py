@@ -5,8 +5,12 @@ Index convention and formula.  With the ansatz (M2),
 .. math::  ψ(x) = λ \sin x + \sum_{n = 3, 5, …} \sum_{m = n, n+2, …} Ψ_{n,m} λ^m \sin nx, \qquad
            a = \sum_{m = 0, 2, …} a_m λ^m,
 
-where Ψ_{n,m} and a_m are polynomials in μ.
+where Ψ_{n,m} and a_m are polynomials in μ.  The paper treats the branch b_1; the branches a_n
+(cosines) and b_n (sines) start in the same way from λ cos nx or λ sin nx with a = n², and their
+Fourier orders are those of the parity of n, up to m + n - 1 at Taylor order m.
 """
+
+import re
 
 import sympy as sp
 
@@ -18,12 +22,15 @@ __all__ = ["GeneralizedMathieu"]
 
 
 class GeneralizedMathieu(Problem):
-    """The lowest odd solution of ψ'' = (-a + λ² cos 2x + λ⁴ μ cos 4x) ψ, equation (M1).
+    """A solution of ψ'' = (-a + λ² cos 2x + λ⁴ μ cos 4x) ψ, equation (M1), and its eigenvalue a.
 
     Parameters
     ----------
     mu : number, optional
         The real parameter μ; left out, it stays a symbol and the coefficients are polynomials.
+    branch : str
+        "b1", the paper's lowest odd solution, or another characteristic value in the notation of
+        DLMF 28.2: "a0", "a1", … for even solutions, "b1", "b2", … for odd ones (λ² = 2q).
 
     Examples
     --------
@@ -31,12 +38,11 @@ class GeneralizedMathieu(Problem):
     >>> sol = fts.solve(fts.GeneralizedMathieu(), order=8)
     >>> sol.coefficient("a", 6)                          # equation (M3)
     mu/16 + 1/512
+    >>> fts.solve(fts.GeneralizedMathieu(mu=0, branch="a0"), order=4).coefficient("a", 4)
+    -1/8
     """
 
-    unknowns = {"psi": Field("sin", modes="odd", powers="odd", fixed=(1,)), "a": Scalar("even")}
-    seed = {"psi": [{}, {1: 1}], "a": [1]}
-
-    def __init__(self, mu=None):
+    def __init__(self, mu=None, branch="b1"):
         if mu is None or mu == sp.Symbol("mu"):
             self.mu, self.parameters = None, ("mu",)
         else:
@@ -45,6 +51,14 @@ class GeneralizedMathieu(Problem):
             except InputError:
                 raise InputError(f"mu={mu!r} is not a finite rational or float number; leave it "
                                  "out to keep it as a symbol") from None
+        if not isinstance(branch, str) or not re.fullmatch(r"a(0|[1-9]\d*)|b[1-9]\d*", branch):
+            raise InputError(f"branch={branch!r}: give 'a0', 'a1', … or 'b1', 'b2', …")
+        self.branch, n = branch, int(branch[1:])
+        self.unknowns = {"psi": Field("cos" if branch[0] == "a" else "sin",
+                                      modes="odd" if n % 2 else "even", powers="odd", fixed=(n,)),
+                         "a": Scalar("even")}
+        self.seed = {"psi": [{}, {n: 1}], "a": [n**2]}
+        self.ahead = max(n - 1, 0)
 
     def equations(self, lam, psi, a):
         x = lam.expansion
@@ -53,4 +67,5 @@ class GeneralizedMathieu(Problem):
         return {"(M1)": psi.diff(2) - potential * psi}
 
     def arguments(self):
-        return {} if self.mu is None else {"mu": str(self.mu)}
+        given = {} if self.mu is None else {"mu": str(self.mu)}
+        return given | ({} if self.branch == "b1" else {"branch": self.branch})

@@ -1,0 +1,13 @@
+"""What a sequence of Taylor coefficients says of its function; no Fourier sums, no problems.
+
+:mod:`~ftseries.analysis.singularities` finds the nearest singularities, their type and the radius
+of convergence; :mod:`~ftseries.analysis.pade` sums beyond it; :mod:`~ftseries.analysis.maps`
+changes the variable.
+"""
+
+from .maps import compose, euler_map
+from .pade import Pade, pade
+from .singularities import Estimate, Singularity, domb_sykes, nearest_singularities, root_test, thin
+
+__all__ = ["Estimate", "Pade", "Singularity", "compose", "domb_sykes", "euler_map",
+           "nearest_singularities", "pade", "root_test", "thin"]

@@ -1,0 +1,52 @@
+"""Numbers of the rings as SymPy numbers, floats, mpmath numbers and balls."""
+
+import mpmath
+import sympy as sp
+from flint import arb, fmpq
+
+from .errors import InputError
+
+__all__ = ["to_sympy", "to_float", "to_mpf", "to_ball", "at"]
+
+
+def to_sympy(number, names):
+    """A rational, or a polynomial in the parameters ``names``, as a SymPy expression."""
+    if isinstance(number, fmpq):
+        return sp.Rational(int(number.p), int(number.q))
+    symbols = [sp.Symbol(name) for name in names]
+    return sp.Add(*(sp.Rational(int(c.p), int(c.q)) * sp.prod(map(sp.Pow, symbols, exponents))
+                    for (_, *exponents), c in number.to_dict().items()))
+
+
+def to_float(number):
+    """The nearest float."""
+    return int(number.p) / int(number.q) if isinstance(number, fmpq) else float(number)
+
+
+def to_mpf(number):
+    """An mpmath number at the working precision; the midpoint of a ball."""
+    if isinstance(number, fmpq):
+        return mpmath.mpf(int(number.p)) / int(number.q)
+    if isinstance(number, arb):
+        mantissa, exponent = number.mid().man_exp()
+        return mpmath.mpf(int(mantissa)) * mpmath.mpf(2) ** int(exponent)
+    return mpmath.mpf(number)
+
+
+def to_ball(unit):
+    """A SymPy number as a ball that encloses it, at the precision in force."""
+    if unit.is_Rational:
+        return arb(int(unit.p)) / int(unit.q)
+    if unit.is_Pow:
+        return to_ball(unit.base) ** to_ball(unit.exp)
+    if unit.is_Mul:
+        product = arb(1)
+        for factor in unit.args:
+            product *= to_ball(factor)
+        return product
+    raise InputError(f"the unit {unit} is not a product of powers of rationals")
+
+
+def at(number, point):
+    """The value of a coefficient where the parameters have the values ``point``."""
+    return number(fmpq(0), *point) if hasattr(number, "context") else number

@@ -1,0 +1,253 @@
+// The explorer of the figure eight: three bodies, their chain of relative vectors, and S_x(λ).
+//
+//   r_12(t) = r(t) e^{iφ(t)},  r_23(t) = r_12(t - 2π/3),  r_31(t) = r_12(t + 2π/3);
+//   r_1 = (r_12 - r_31)/3 and cyclically (E4a);  S = r_12 + r_23 + r_31 (E4),
+//
+// as in ftseries/problems/figure_eight.py.
+
+import { linspace } from "./series.js";
+import { mount } from "./view.js";
+import { corners, drawScene, gap } from "./figure_eight_scene.js";
+
+const THIRD = (2 * Math.PI) / 3;
+const SAMPLES = 240;
+const GRID = linspace(0, 2 * Math.PI, SAMPLES + 1);
+const RANGE = [0, 2.3];
+const TICK = 0.1; // seconds between two reports of the running time to its slider
+
+export class Eight {
+  constructor(r, phi) {
+    Object.assign(this, { r, phi, zeros: new Map() });
+  }
+
+  set(lam, order) {
+    this.radii = this.r.amplitudes(lam, order);
+    this.angles = this.phi.amplitudes(lam, order);
+    return this;
+  }
+
+  /** r_12 at times, as {x, y}. */
+  vectors(times) {
+    const [length, angle] = [this.r.sample(this.radii, times), this.phi.sample(this.angles, times)];
+    return { x: length.map((r, i) => r * Math.cos(angle[i])), y: length.map((r, i) => r * Math.sin(angle[i])) };
+  }
+
+  /** [r_12, r_23, r_31] at a time. */
+  relatives(time) {
+    const { x, y } = this.vectors([time, time - THIRD, time + THIRD]);
+    return [0, 1, 2].map((i) => [x[i], y[i]]);
+  }
+
+  /** The orbit that the three bodies share: r_1 on GRID. */
+  orbit() {
+    const { x, y } = this.vectors(GRID);
+    const shift = (values) =>
+      values.map((value, i) => (value - values[(i + SAMPLES / 3) % SAMPLES]) / 3);
+    return { x: shift(x), y: shift(y) };
+  }
+
+  /** S_x of (E4) at t = 0. */
+  closure(lam, order) {
+    return gap(this.set(lam, order).relatives(0))[0];
+  }
+
+  /** λ_n: the smallest positive zero of the closure below 4, or NaN. */
+  zero(order) {
+    if (!this.zeros.has(order)) this.zeros.set(order, this.#search(order));
+    return this.zeros.get(order);
+  }
+
+  #search(order) {
+    let [left, right] = [0, 0];
+    const sign = Math.sign(this.closure(0, order));
+    do {
+      [left, right] = [right, right + 0.02];
+      if (right > 4) return NaN;
+    } while (Math.sign(this.closure(right, order)) === sign);
+    for (;;) {
+      const middle = (left + right) / 2;
+      if (middle <= left || middle >= right) return middle;
+      if (Math.sign(this.closure(middle, order)) === sign) left = middle;
+      else right = middle;
+    }
+  }
+}
+
+/** (E4a): the three bodies from their relative vectors. */
+export function bodiesOf([r12, r23, r31]) {
+  const third = (a, b) => [(a[0] - b[0]) / 3, (a[1] - b[1]) / 3];
+  return [third(r12, r31), third(r23, r12), third(r31, r23)];
+}
+
+function build(stage) {
+  const eight = new Eight(stage.series("r"), stage.series("phi"));
+  const truth = { x: samples(stage.series("x")), y: samples(stage.series("y")) };
+  const plot = stage.plot({
+    label: "The three bodies",
+    title: "Bodies, and relative vectors head to tail",
+    x: { label: "x", range: [-1, 1] },
+    y: { label: "y", range: [-1, 1] },
+    aspect: 1.02,
+    equal: true,
+    legend: [
+      [{ color: "muted", width: 1.2, dash: [5, 4] }, "orbit by Newton’s equations"],
+      [{ color: "c4", width: 8, alpha: 0.35 }, "gap S of the chain"],
+    ],
+  });
+  const closure = new ClosurePlot(stage, eight);
+  const { panels } = stage;
+  let time = stage.get("clock");
+  let reported = time;
+  let waiting = 0;
+  let drawn = {};
+  if (!stage.reducedMotion()) stage.set("playing", true);
+
+  /** The running time goes to the trait t now and then; any other value of t comes from the reader. */
+  function report(value) {
+    reported = value;
+    stage.set("clock", value);
+    stage.set("t", value);
+  }
+
+  function listen() {
+    const t = stage.number("t", 0, 2 * Math.PI);
+    if (t !== stage.get("clock")) {
+      stage.set("playing", false);
+      report(t);
+      time = t;
+    } else if (t !== reported) {
+      time = reported = t;
+    }
+  }
+
+  return {
+    step(seconds) {
+      time = (time + seconds * stage.number("speed", 0, 10)) % (2 * Math.PI);
+      waiting += seconds;
+      if (waiting >= TICK) {
+        waiting = 0;
+        report(time);
+      }
+    },
+
+    draw() {
+      listen();
+      const order = stage.order();
+      const zero = eight.zero(order);
+      if (stage.get("closing")) {
+        stage.set("closing", false);
+        if (zero <= RANGE[1]) stage.set("lam", zero);
+      }
+      const lam = stage.number("lam", ...RANGE);
+      const playing = stage.get("playing");
+      const columns = stage.root.clientWidth > 620 ? "minmax(0, 8fr) minmax(0, 5fr)" : "";
+      if (panels.style.gridTemplateColumns !== columns) panels.style.gridTemplateColumns = columns;
+
+      if (drawn.lam !== lam || drawn.order !== order) {
+        const S = eight.closure(lam, order);
+        const orbit = eight.set(lam, order).orbit();
+        drawn = { lam, order, S, orbit };
+        const text = describe(order, lam, S);
+        stage.say(text);
+        plot.describe(`Three numbered bodies on their common orbit, and the relative vectors. ${text}`);
+      }
+      closure.draw(lam, order, drawn.S);
+      const relatives = eight.set(lam, order).relatives(time);
+      const bodies = bodiesOf(relatives);
+      frame(plot, Math.abs(drawn.S));
+      drawScene(plot.begin(), { orbit: drawn.orbit, truth, time, relatives, bodies });
+      if (!playing || waiting === 0) {
+        const digits = playing ? 3 : 13;
+        stage.show([
+          [`λ${subscript(order)}`, zero],
+          ["S_x", drawn.S],
+          ["t", playing ? time.toFixed(digits) : time],
+          ...bodies.map((place, i) => [`r${subscript(i + 1)}`, complex(place, digits)]),
+        ]);
+      }
+    },
+  };
+}
+
+/** S_x against λ; drawn again only when something in it has changed. */
+class ClosurePlot {
+  constructor(stage, eight) {
+    Object.assign(this, { stage, eight, curves: new Map(), lams: linspace(...RANGE, 93) });
+    this.plot = stage.plot({
+      label: "S_x against λ",
+      title: "Gap S_x at t = 0",
+      x: { label: "λ", range: RANGE },
+      y: { label: "Sₓ", range: [-1, 4.5] },
+      aspect: 1.1,
+      legend: [
+        ["series", "this order"],
+        ["exact", `order ${stage.stored}`],
+      ],
+    });
+    this.plot.onPoint((lam) => stage.set("lam", Number(lam.toFixed(3))));
+  }
+
+  curve(order) {
+    if (!this.curves.has(order)) {
+      this.curves.set(order, this.lams.map((lam) => this.eight.closure(lam, order)));
+    }
+    return this.curves.get(order);
+  }
+
+  draw(lam, order, S) {
+    const { plot, stage, lams } = this;
+    plot.aspect = stage.root.clientWidth > 620 ? 1.55 : 0.62;
+    const state = [lam, order, plot.figure.clientWidth, plot.aspect, devicePixelRatio];
+    if (this.colors === stage.theme.colors && state.every((value, i) => value === this.state[i])) return;
+    [this.state, this.colors] = [state, stage.theme.colors];
+    const zero = this.eight.zero(order);
+    const name = `λ${subscript(order)} = ${zero.toFixed(5)}`;
+    plot.begin();
+    plot.across(0, { color: "muted", width: 1.2 });
+    plot.line(lams, this.curve(stage.stored), "exact");
+    plot.line(lams, this.curve(order), "series");
+    plot.down(zero, { color: "c5", width: 1.5, dash: [3, 3] });
+    plot.dot(zero, 0, { color: "c5" }, 5);
+    plot.text(zero, 0, name, "ink", { align: "right", dx: -9, dy: 14 });
+    plot.line([lam, lam], [0, S], { color: "c4", width: 7, alpha: 0.4 });
+    plot.dot(lam, S, "point", 6);
+    plot.describe(`S_x falls from 4.33 at λ = 0 through zero at ${name}; at λ = ${lam.toFixed(3)} it is ` +
+      `${signed(S, 4)}.`);
+  }
+}
+
+/** Show the whole chain and the eight, in one scale for x and y, as large as the canvas allows. */
+function frame(plot, S) {
+  const width = plot.figure.clientWidth - 45;
+  const height = plot.figure.clientWidth * plot.aspect - 58;
+  const scale = Math.min(width / Math.max(2.2, S + 0.7), height / 2.5);
+  plot.x.range = [-width / 2 / scale, width / 2 / scale];
+  plot.y.range = [-height / 2 / scale, height / 2 / scale];
+}
+
+function describe(order, lam, S) {
+  const state = `order ${order}, λ = ${lam.toFixed(3)}, gap ${Math.abs(S).toFixed(3)}: `;
+  const size = Math.abs(S);
+  if (size < 5e-4) return `${state}the chain closes, and the bodies obey Newton’s equations as well as this order can.`;
+  if (size < 0.05) return `${state}the chain nearly closes.`;
+  return `${state}the chain stays open, so this is no motion of three bodies under gravitation.`;
+}
+
+function samples(series) {
+  return series.sample(series.amplitudes(0, 0), GRID);
+}
+
+function signed(value, decimals) {
+  return value.toFixed(decimals).replace("-", "−");
+}
+
+function complex([x, y], digits) {
+  const sign = y < 0 ? "−" : "+";
+  return `${signed(x, digits)} ${sign} ${Math.abs(y).toFixed(digits)} i`;
+}
+
+function subscript(integer) {
+  return String(integer).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);
+}
+
+export default { render: (context) => mount(context, build) };

@@ -1,0 +1,198 @@
+// The picture of the eight: orbit, trails, bodies, and the relative vectors laid head to tail.
+//
+//   drawScene(plot, scene)     into a plot of plot.js whose begin() has been called, with
+//     scene.orbit, scene.truth   closed curves {x, y} of equidistant times: of this λ, of Newton
+//     scene.time                 the time t
+//     scene.relatives            [r12, r23, r31] at that time, each [x, y];  scene.bodies likewise
+//
+// The chain is r23, r12, r31, in this order because r23 ends at body 2, where r12 starts, and so on.
+// By (E4a) its corners miss the bodies 3, 2, 1, 3 by -S/2, -S/6, S/6, S/2 when the gap is centred on
+// body 3: the chain and the triangle of the bodies become one as S goes to zero.
+
+export const BODY_COLORS = ["c1", "c2", "c3"];
+export const CHAIN = [
+  { vector: 1, from: 2, to: 1, name: "r₂₃" },
+  { vector: 0, from: 1, to: 0, name: "r₁₂" },
+  { vector: 2, from: 0, to: 2, name: "r₃₁" },
+];
+const DELAY = [0, -1 / 3, 1 / 3]; // body 1, 2, 3 on the common orbit, in periods
+const RADIUS = 11;
+const FADE = 14; // steps of a trail
+
+/** S = r12 + r23 + r31. */
+export function gap(relatives) {
+  return [0, 1].map((i) => relatives[0][i] + relatives[1][i] + relatives[2][i]);
+}
+
+/** The four corners of the chain; the last misses the first by S. */
+export function corners(relatives, bodies) {
+  const S = gap(relatives);
+  const points = [[bodies[2][0] - S[0] / 2, bodies[2][1] - S[1] / 2]];
+  for (const { vector } of CHAIN) {
+    const [x, y] = points.at(-1);
+    points.push([x + relatives[vector][0], y + relatives[vector][1]]);
+  }
+  return points;
+}
+
+export function drawScene(plot, scene) {
+  const { context, theme } = plot;
+  const pixel = ([x, y]) => [plot.px(x), plot.py(y)];
+  const size = Math.hypot(...gap(scene.relatives));
+  const chain = corners(scene.relatives, scene.bodies).map(pixel);
+  const bodies = scene.bodies.map(pixel);
+  context.save();
+  context.beginPath();
+  context.rect(plot.left, plot.top, plot.right - plot.left, plot.bottom - plot.top);
+  context.clip();
+  plot.line(scene.truth.x, scene.truth.y, { color: "muted", width: 1.2, dash: [5, 4] });
+  plot.line(scene.orbit.x, scene.orbit.y, { color: "muted", width: 1, alpha: 0.4 });
+  const physical = Math.max(0, 1 - size / 0.6);
+  for (let body = 0; body < 3; body++) drawTrail(plot, scene, body, 0.45 + 0.55 * physical);
+  drawGap(context, theme, chain);
+  CHAIN.forEach(({ from, to }, k) => {
+    const spare = Math.max(4, RADIUS + 2 - distance(chain[k + 1], bodies[to]));
+    const colors = [from, to].map((body) => theme.color(BODY_COLORS[body]));
+    drawArrow(context, chain[k], chain[k + 1], colors, spare);
+  });
+  for (const corner of chain) drawCorner(context, theme, corner);
+  bodies.forEach((place, body) => drawBody(context, theme, place, body, physical));
+  context.restore();
+  drawNames(context, theme, chain, size);
+}
+
+/** The last third of a period behind a body, thinner and fainter with age. */
+function drawTrail(plot, { orbit, time }, body, strength) {
+  const { context, theme } = plot;
+  const count = orbit.x.length - 1; // the last point repeats the first
+  const head = (time / (2 * Math.PI) + DELAY[body]) * count;
+  const length = 0.31 * count;
+  const point = (position) => {
+    const q = ((position % count) + count) % count;
+    const [i, w] = [Math.floor(q), q % 1];
+    const mix = (values) => values[i] + w * (values[i + 1] - values[i]);
+    return [plot.px(mix(orbit.x)), plot.py(mix(orbit.y))];
+  };
+  context.save();
+  context.strokeStyle = theme.color(BODY_COLORS[body]);
+  context.lineCap = "butt";
+  for (let k = 0; k < FADE; k++) {
+    const [start, end] = [head - length * (1 - k / FADE), head - length * (1 - (k + 1) / FADE)];
+    const age = (k + 1) / FADE;
+    context.beginPath();
+    context.moveTo(...point(start));
+    for (let q = Math.floor(start) + 1; q < end; q++) context.lineTo(...point(q));
+    context.lineTo(...point(end));
+    context.globalAlpha = 0.16 * age * age * strength;
+    context.lineWidth = 4 + 12 * age;
+    context.stroke();
+    context.globalAlpha = (0.05 + 0.8 * age * age) * strength;
+    context.lineWidth = 1 + 4.5 * age;
+    context.stroke();
+  }
+  context.restore();
+}
+
+function drawGap(context, theme, chain) {
+  context.save();
+  context.strokeStyle = theme.color("c4");
+  context.lineCap = "round";
+  context.beginPath();
+  context.moveTo(...chain[0]);
+  context.lineTo(...chain[3]);
+  context.globalAlpha = 0.3;
+  context.lineWidth = 11;
+  context.stroke();
+  context.restore();
+}
+
+function drawArrow(context, [ax, ay], [bx, by], colors, spare) {
+  const length = Math.hypot(bx - ax, by - ay);
+  if (length < 2 * spare) return;
+  const [ux, uy] = [(bx - ax) / length, (by - ay) / length];
+  const [tipX, tipY] = [bx - spare * ux, by - spare * uy];
+  const head = Math.min(12, 0.4 * length);
+  const gradient = context.createLinearGradient(ax, ay, bx, by);
+  gradient.addColorStop(0, colors[0]);
+  gradient.addColorStop(1, colors[1]);
+  context.strokeStyle = gradient;
+  context.lineWidth = 2.2;
+  context.beginPath();
+  context.moveTo(ax, ay);
+  context.lineTo(tipX - 0.7 * head * ux, tipY - 0.7 * head * uy);
+  context.stroke();
+  context.fillStyle = colors[1];
+  context.beginPath();
+  context.moveTo(tipX, tipY);
+  context.lineTo(tipX - head * ux - 0.42 * head * uy, tipY - head * uy + 0.42 * head * ux);
+  context.lineTo(tipX - head * ux + 0.42 * head * uy, tipY - head * uy - 0.42 * head * ux);
+  context.fill();
+}
+
+function drawCorner(context, theme, [x, y]) {
+  context.beginPath();
+  context.arc(x, y, 3, 0, 2 * Math.PI);
+  context.fillStyle = theme.color("paper");
+  context.strokeStyle = theme.color("ink");
+  context.lineWidth = 1.2;
+  context.fill();
+  context.stroke();
+}
+
+/** A numbered disc: full colour for a physical motion, pale where the chain stays open. */
+function drawBody(context, theme, [x, y], body, physical) {
+  const color = theme.color(BODY_COLORS[body]);
+  context.save();
+  context.beginPath();
+  context.arc(x, y, RADIUS, 0, 2 * Math.PI);
+  context.fillStyle = theme.color("paper");
+  context.fill();
+  context.globalAlpha = 0.12 + 0.88 * physical;
+  context.fillStyle = context.strokeStyle = color;
+  context.fill();
+  context.globalAlpha = 1;
+  context.lineWidth = 2;
+  context.stroke();
+  context.fillStyle = theme.color(physical > 0.5 ? "paper" : "ink");
+  context.font = `600 12px ${theme.family}`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.fillText(String(body + 1), x, y + 0.5);
+  context.restore();
+}
+
+/** Names beside the middles of the arrows, on the side away from the chain; S below its band. */
+function drawNames(context, theme, chain, size) {
+  const middle = (a, b) => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+  const centre = middle(middle(chain[0], chain[1]), middle(chain[2], chain[3]));
+  context.save();
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.font = `italic 14px Georgia, "Times New Roman", serif`;
+  CHAIN.forEach(({ name }, k) => {
+    const [x, y] = middle(chain[k], chain[k + 1]);
+    const length = distance(chain[k], chain[k + 1]) || 1;
+    let normal = [(chain[k + 1][1] - chain[k][1]) / length, (chain[k][0] - chain[k + 1][0]) / length];
+    const flat = Math.abs(normal[1]) > 0.98;
+    const outward = normal[0] * (x - centre[0]) + normal[1] * (y - centre[1]);
+    if (flat ? normal[1] > 0 : outward < 0) normal = normal.map((value) => -value);
+    haloed(context, theme, name, x + 17 * normal[0], y + 14 * normal[1], "ink");
+  });
+  if (distance(chain[0], chain[3]) > 24) {
+    const [x, y] = middle(chain[0], chain[3]);
+    haloed(context, theme, `S = ${size.toFixed(3)}`, x, y + 22, "c4");
+  }
+  context.restore();
+}
+
+function haloed(context, theme, text, x, y, color) {
+  context.strokeStyle = theme.color("paper");
+  context.lineWidth = 4;
+  context.strokeText(text, x, y);
+  context.fillStyle = theme.color(color);
+  context.fillText(text, x, y);
+}
+
+function distance(a, b) {
+  return Math.hypot(a[0] - b[0], a[1] - b[1]);
+}

@@ -1,0 +1,241 @@
+// The life of an explorer's view: from the model's traits to a picture, at most once a frame.
+//
+//   import { mount } from "./view.js";
+//   export default { render: (context) => mount(context, build) };
+//
+//   function build(stage) {
+//     const x = stage.series("x");               a Series of series.js, from the trait `data`
+//     const plot = stage.plot({…});              see plot.js; plots stand side by side if there is room
+//     return {
+//       draw() {                                 called after any change of a trait, size or theme
+//         const order = stage.order();           the trait, never beyond what is stored; else says so
+//         const lam = stage.number("lam", 0, 3); the trait, clamped to the range; else says so
+//         …
+//         stage.say(`order ${order}, λ = ${lam.toFixed(2)}, …`);   the state as text, announced
+//         stage.show([["ω", 3.4458763864722], …]);                 numbers with their names, 13 digits
+//       },
+//       step(seconds) { … },                     optional: called every frame while the trait `playing`
+//     };                                         is true and the view is on the screen
+//   }
+//
+// Further: stage.get(trait), stage.set(trait, value) (linked controls follow), stage.redraw(),
+// stage.note(text) (a hint for this drawing only), stage.root, stage.panels (the grid of plots),
+// stage.reducedMotion(), stage.onRemove(function). A toggle button linked to a trait is an ordinary
+// button if the view sets the trait back to false in draw().
+//
+// `throw new Complaint("One sentence.")` in build or draw puts the sentence in the explorer's place;
+// nothing else on the page is touched.
+
+import { Complaint, Series } from "./series.js";
+import { Plot, Theme, element } from "./plot.js";
+
+export function mount({ model, el }, build) {
+  const stage = new Stage(model, el);
+  stage.start(build);
+  const restart = () => stage.start(build);
+  model.on("change:data", restart);
+  return () => {
+    model.off("change:data", restart);
+    stage.remove();
+  };
+}
+
+class Stage {
+  constructor(model, el) {
+    this.model = model;
+    this.root = el.appendChild(element("div", "ft-view"));
+    this.theme = new Theme(this.root);
+    this.cleanup = [];
+    this.notes = [];
+    this.redraw = this.redraw.bind(this);
+    model.on("change", this.redraw);
+    this.onRemove(() => model.off("change", this.redraw));
+    const sizes = new ResizeObserver(this.redraw);
+    sizes.observe(this.root);
+    this.onRemove(() => sizes.disconnect());
+    this.#followTheme();
+    this.#followScreen();
+    requestAnimationFrame(() => this.#dress());
+  }
+
+  start(build) {
+    this.root.replaceChildren();
+    this.complaint = undefined;
+    this.notice = this.root.appendChild(element("p", "ft-note"));
+    this.panels = this.root.appendChild(element("div", "ft-panels"));
+    this.status = this.root.appendChild(element("p", "ft-status"));
+    this.status.setAttribute("role", "status");
+    this.table = this.root.appendChild(element("dl", "ft-readings"));
+    this.#guard(() => (this.show_ = build(this)));
+    this.redraw();
+  }
+
+  remove() {
+    cancelAnimationFrame(this.frame);
+    clearTimeout(this.later);
+    for (const action of this.cleanup) action();
+    this.root.remove();
+  }
+
+  onRemove(action) {
+    this.cleanup.push(action);
+  }
+
+  get(trait) {
+    return this.model.get(trait);
+  }
+
+  set(trait, value) {
+    if (this.get(trait) === value) return;
+    this.model.set(trait, value);
+    this.model.save_changes();
+  }
+
+  series(name) {
+    const series = new Series(this.get("data")?.[name], name);
+    this.stored = Math.min(this.stored ?? Infinity, series.order);
+    return series;
+  }
+
+  plot(options) {
+    return new Plot(this.panels, this.theme, options);
+  }
+
+  order(trait = "order") {
+    const order = this.get(trait);
+    if (order > this.stored) this.note(`Order ${order} is not stored; order ${this.stored} is shown.`);
+    return Math.max(0, Math.min(order, this.stored));
+  }
+
+  number(trait, low, high, name = trait === "lam" ? "λ" : trait) {
+    const value = this.get(trait);
+    const inside = Number.isFinite(value) ? Math.min(high, Math.max(low, value)) : low;
+    if (inside !== value) this.note(`${name} = ${value} is outside ${low} … ${high}; ${inside} is shown.`);
+    return inside;
+  }
+
+  note(text) {
+    this.notes.push(text);
+  }
+
+  say(text) {
+    this.saying = text;
+    this.later ??= setTimeout(() => {
+      this.later = undefined;
+      this.status.textContent = this.saying;
+    }, 100);
+  }
+
+  /** Rows [name, number or text]: numbers with 13 significant digits. */
+  show(rows) {
+    while (this.table.children.length < rows.length) {
+      const pair = this.table.appendChild(document.createElement("div"));
+      pair.append(document.createElement("dt"), document.createElement("dd"));
+    }
+    rows.forEach(([name, value], i) => {
+      const [dt, dd] = this.table.children[i].children;
+      const text = typeof value === "number" ? digits(value) : value;
+      if (dt.textContent !== name) dt.textContent = name;
+      if (dd.textContent !== text) dd.textContent = text;
+    });
+    while (this.table.children.length > rows.length) this.table.lastChild.remove();
+  }
+
+  reducedMotion() {
+    return matchMedia("(prefers-reduced-motion: reduce)").matches;
+  }
+
+  redraw() {
+    this.frame ??= requestAnimationFrame((now) => {
+      this.frame = undefined;
+      this.#frame(now);
+    });
+  }
+
+  #frame(now) {
+    if (this.complaint || !this.show_ || !this.root.isConnected) return;
+    const playing = this.show_.step && this.get("playing") && this.visible;
+    this.#guard(() => {
+      if (playing) this.show_.step(Math.min(0.1, (now - (this.last ?? now)) / 1000));
+      this.notes = [];
+      this.show_.draw();
+      const note = this.notes.join(" ");
+      if (this.notice.textContent !== note) this.notice.textContent = note;
+    });
+    this.last = playing ? now : undefined;
+    if (playing) this.redraw();
+  }
+
+  #guard(action) {
+    try {
+      action();
+    } catch (error) {
+      this.complaint = error;
+      const text = error instanceof Complaint ? error.message : `It stopped with “${error.message}”.`;
+      const place = element("p", "ft-error", `This explorer cannot be shown. ${text}`);
+      place.setAttribute("role", "alert");
+      this.root.replaceChildren(place);
+      if (!(error instanceof Complaint)) console.error(error);
+    }
+  }
+
+  #followTheme() {
+    const follow = () => {
+      this.theme.refresh();
+      this.redraw();
+    };
+    const watch = new MutationObserver(follow);
+    const attributeFilter = ["data-theme", "data-jp-theme-light", "data-jp-theme-name", "class"];
+    watch.observe(document.documentElement, { attributes: true, attributeFilter });
+    watch.observe(document.body, { attributes: true, attributeFilter });
+    const system = matchMedia("(prefers-color-scheme: dark)");
+    system.addEventListener("change", follow);
+    this.onRemove(() => {
+      watch.disconnect();
+      system.removeEventListener("change", follow);
+    });
+    requestAnimationFrame(follow);
+  }
+
+  #followScreen() {
+    const watch = new IntersectionObserver(([entry]) => {
+      this.visible = entry.isIntersecting;
+      this.redraw();
+    });
+    watch.observe(this.root);
+    this.onRemove(() => watch.disconnect());
+  }
+
+  /** What ipywidgets' own controls lack: names for slider handles, the state of toggle buttons,
+   *  and a word when a typed number was out of range. */
+  #dress() {
+    const box = this.root.closest(".ft-explorer");
+    if (!box) return;
+    const dress = () => {
+      for (const control of box.querySelectorAll(".ft-controls .jupyter-widgets")) {
+        const name = control.querySelector(".widget-label")?.textContent;
+        const slider = control.querySelector(".noUi-handle");
+        if (slider && name) slider.setAttribute("aria-label", name);
+        const readout = control.querySelector(".widget-readout");
+        if (readout && name) {
+          readout.setAttribute("role", "textbox");
+          readout.setAttribute("aria-label", `${name}, typed`);
+        }
+      }
+      for (const button of box.querySelectorAll(".ft-controls .widget-toggle-button")) {
+        const pressed = String(button.classList.contains("mod-active"));
+        if (button.getAttribute("aria-pressed") !== pressed) button.setAttribute("aria-pressed", pressed);
+      }
+    };
+    dress();
+    const watch = new MutationObserver(dress);
+    watch.observe(box.querySelector(".ft-controls") ?? box, {
+      subtree: true, childList: true, attributes: true, attributeFilter: ["class"],
+    });
+    this.onRemove(() => watch.disconnect());
+  }
+}
+
+function digits(value) {
+  return Number.isFinite(value) ? value.toPrecision(13).replace("-", "−") : "not finite";
+}

@@ -1,0 +1,190 @@
+r"""How good a series is: radius, residual, error; and better numbers from the same coefficients.
+
+The methods of this class belong to :class:`ftseries.Solution`.  They work in the solver's units:
+z = Λ^step with Λ = λ / lam_scale, where step is 2 for a series in λ², so that no coefficient of a
+sequence is regularly zero.
+"""
+
+import numpy as np
+
+from . import analysis, evaluation
+from .analysis import Estimate
+from .conversion import at
+from .errors import InputError
+from .problem import Scalar
+from .refine import Orbit, refine, residuals
+from .resum import Resummed
+
+__all__ = ["Quality"]
+
+#: Fourier orders from which the radius of a whole unknown is taken
+_LOW_MODES = 6
+
+
+class Quality:
+    """Analysis of a solution's Taylor coefficients."""
+
+    def sequence(self, name, n=0, sine=None, **parameters):
+        """(step, first, c): mode n of an unknown is Λ^first Σ_k c_k Λ^{step k}.
+
+        The c_k are the solver's numbers: exact, float or ball.
+        """
+        unknown = self._unknown(name)
+        self._check_parameters(parameters)
+        if sine is None:
+            sine = getattr(unknown, "series", "cos") == "sin"
+        mode = int(bool(sine)), 0 if isinstance(unknown, Scalar) else n
+        point = self._point(parameters)
+        row = [at(coefficients[mode], point) if mode in coefficients else 0
+               for coefficients in self.coefficients[name]]
+        if not any(row):
+            raise InputError(f"mode {n} of {name!r} has no coefficients up to order {self.order}; "
+                             "choose a mode of the ansatz or a higher order")
+        return analysis.thin(row)
+
+    def singularities(self, name, n=0, sine=None, **parameters):
+        """The singularities in z = Λ^step nearest to 0, from one mode.
+
+        See :func:`ftseries.analysis.nearest_singularities`.
+        """
+        return analysis.nearest_singularities(self.sequence(name, n, sine, **parameters)[2])
+
+    def radius_of_convergence(self, name, n=None, sine=None, **parameters):
+        """The radius of convergence in λ, with its uncertainty.
+
+        Parameters
+        ----------
+        name : str
+        n : int, optional
+            One Fourier mode; left out, the lowest modes together: the median of their radii, with
+            their spread in the uncertainty.
+        **parameters
+            Values of the problem's free parameters.
+
+        Returns
+        -------
+        Estimate
+
+        Raises
+        ------
+        InputError
+            Too few coefficients, or a mode without any.
+
+        Examples
+        --------
+        >>> import ftseries as fts
+        >>> sol = fts.solve(fts.GeneralizedMathieu(mu=0), order=99)
+        >>> round(sol.radius_of_convergence("a").value ** 2 / 2, 8)             # |q|, DLMF 28.6.1
+        3.76995749
+        """
+        unknown = self._unknown(name)
+        if isinstance(unknown, Scalar):
+            modes = [(0, 0)]
+        elif n is not None:
+            modes = [(sine, n)]
+        else:
+            modes = [mode for mode in reversed(unknown.columns(_LOW_MODES))
+                     if any(mode in row for row in self.coefficients[name])]
+        scale, found = float(self.problem.lam_scale), []
+        for sine, n in modes:
+            step, _, c = self.sequence(name, n, sine, **parameters)
+            if len(c) < 10 and len(modes) > 1:
+                continue
+            radius = analysis.nearest_singularities(c)[0].radius
+            value = radius.value ** (1 / step)
+            found.append((scale * value, scale * value * radius.error / (radius.value * step)))
+        if not found:
+            raise InputError(f"{name!r} has too few coefficients at order {self.order} to estimate "
+                             "its radius of convergence; take a higher order")
+        values, errors = np.array(found).T
+        middle = np.argsort(values)[len(values) // 2]
+        spread = float(np.median(np.abs(values - values[middle])))
+        return Estimate(float(values[middle]), max(float(errors[middle]), spread))
+
+    def resum(self, **parameters):
+        """The same series summed by Padé approximants in λ, mode by mode.
+
+        Returns
+        -------
+        Resummed
+            Evaluates like the solution, also beyond the radius of convergence.
+
+        Examples
+        --------
+        >>> import ftseries as fts
+        >>> sol = fts.solve(fts.CubicOscillator(a=1), order=40)
+        >>> bool(sol.resum().error("omega", lam=2.5) < 1e-9)
+        True
+        """
+        self._check_parameters(parameters)
+        return Resummed(self, parameters)
+
+    def residual(self, lam, **parameters):
+        """The largest absolute residual of each equation at λ, in the solver's units, as a dict.
+
+        Derivatives are those of the truncated series, products are not truncated.
+        """
+        self._check_parameters(parameters)
+        values = {key: float(evaluation.finite(key, value)) for key, value in parameters.items()}
+        lam = float(evaluation.finite("lam", lam))
+        return residuals(self.problem, self._amplitudes(lam, values),
+                         lam / float(self.problem.lam_scale), values)
+
+    def error_estimate(self, name, lam, **parameters):
+        """About how far the truncated series is from its sum, uniformly in t.
+
+        The last third of the coefficients gives an envelope c_m ≤ C R^{-m}; the estimate is the sum
+        of the envelope over the orders left out, infinite at |λ| ≥ R.  It is an extrapolation, not
+        a bound.
+        """
+        radius = float(self.radius_of_convergence(name, **parameters))
+        ratio = abs(float(evaluation.finite("lam", lam))) / radius
+        if ratio >= 1:
+            return np.inf
+        sums = np.abs(np.array(list(self.table(name, **parameters).values()))).sum(axis=0)
+        m = np.arange(len(sums))
+        last = m >= 2 * len(sums) // 3
+        envelope = (sums[last] * radius ** m[last]).max()
+        return float(envelope * ratio ** (self.order + 1) / (1 - ratio))
+
+    def refine(self, lam=None, **parameters):
+        """The periodic solution at λ to rounding, by Newton's method from this series.
+
+        Parameters
+        ----------
+        lam : float, optional
+            Left out, λ is solved for as well, from the problem's condition: for the figure eight
+            the λ at which S = 0.
+        **parameters
+            Values of the problem's free parameters.
+
+        Returns
+        -------
+        Orbit
+            With ``lam``, ``residual``, ``steps``, and ``evaluate`` as here.
+
+        Examples
+        --------
+        >>> import ftseries as fts
+        >>> orbit = fts.solve(fts.FigureEight(), order=6).refine()
+        >>> round(orbit.lam, 13), orbit.residual < 1e-10
+        (2.0756839088491, True)
+        """
+        self._check_parameters(parameters)
+        condition = lam is None
+        if condition:
+            lam = self.problem.first_lam(self)
+        lam = float(evaluation.finite("lam", lam))
+        values = {key: float(evaluation.finite(key, value)) for key, value in parameters.items()}
+        scale = float(self.problem.lam_scale)
+        lam, found, residual, steps = refine(self.problem, self._amplitudes(lam, values),
+                                             lam / scale, condition, values)
+        found = {name: {mode: float(self.problem.scale(name)) * c for mode, c in modes.items()}
+                 for name, modes in found.items()}
+        return Orbit(self.problem, lam * scale, found, residual, steps)
+
+    def _amplitudes(self, lam, parameters):
+        """``{name: {mode: A_n(λ)}}`` in the solver's units."""
+        return {name: {mode: float(c) / float(self.problem.scale(name)) for mode, c in
+                       evaluation.amplitudes(self.table(name, **parameters), lam).items()}
+                for name in self.problem.unknowns}

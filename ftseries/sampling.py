@@ -1,0 +1,124 @@
+r"""A problem's equations at one value of λ: functions sampled on a uniform grid of τ.
+
+Formula.  A :class:`Samples` object makes functions u(τ_j), τ_j = 2πj/M, with the operations of
+:class:`ftseries.series.Series`, so the same declaration of a problem gives its residual at a
+number λ.  Derivatives and shifts act on the discrete Fourier transform.  Values may be complex and
+may have leading axes: a step i·h along many modes at once gives the exact derivative.
+"""
+
+import numpy as np
+
+from .errors import InputError
+from .trig import rational
+
+__all__ = ["Samples", "Sampled"]
+
+
+class Samples:
+    """The grid with M points; it makes λ, parameters, known functions as an ``Expansion`` does."""
+
+    def __init__(self, points, lam=0.0, parameters=None):
+        self.points, self.parameters = points, parameters or {}
+        self.tau = 2 * np.pi * np.arange(points) / points
+        self.n = np.fft.fftfreq(points, 1 / points)
+        if points % 2 == 0:
+            self.n[points // 2] = 0                      # this mode has no derivative on the grid
+        self.lam = self.constant(lam)
+
+    def constant(self, number):
+        """A number, or an array of them along leading axes."""
+        if not isinstance(number, (int, float, complex, np.ndarray, np.number)):
+            number = rational(number)
+            number = int(number.p) / int(number.q)
+        return Sampled(self, np.asarray(number)[..., None])
+
+    def parameter(self, name):
+        return self.constant(self.parameters[name])
+
+    def cos(self, n):
+        return Sampled(self, np.cos(n * self.tau))
+
+    def sin(self, n):
+        return Sampled(self, np.sin(n * self.tau))
+
+
+class Sampled:
+    """One function on the grid; ``derivatives`` are known where its coefficients are.
+
+    The derivative of samples alone multiplies their rounding by n, the second one by n².
+    """
+
+    def __init__(self, samples, values, derivatives=()):
+        self.expansion, self.values, self.derivatives = samples, values, derivatives
+
+    def _other(self, other):
+        return other.values if isinstance(other, Sampled) else self.expansion.constant(other).values
+
+    def _new(self, values):
+        return Sampled(self.expansion, values)
+
+    def __add__(self, other):
+        return self._new(self.values + self._other(other))
+
+    __radd__ = __add__
+
+    def __neg__(self):
+        return self._new(-self.values)
+
+    def __sub__(self, other):
+        return self._new(self.values - self._other(other))
+
+    def __rsub__(self, other):
+        return self._new(self._other(other) - self.values)
+
+    def __mul__(self, other):
+        return self._new(self.values * self._other(other))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other):
+        return self._new(self.values / self._other(other))
+
+    def __rtruediv__(self, other):
+        return self._new(self._other(other) / self.values)
+
+    def __pow__(self, alpha):
+        alpha = rational(alpha)
+        if alpha.q == 1:
+            return self._new(self.values ** int(alpha.p))
+        return self._new(self.values ** (int(alpha.p) / int(alpha.q)))
+
+    def sin(self):
+        return self._new(np.sin(self.values))
+
+    def cos(self):
+        return self._new(np.cos(self.values))
+
+    def exp(self):
+        return self._new(np.exp(self.values))
+
+    def diff(self, times=1):
+        if times not in (1, 2):
+            raise InputError(f"a derivative of order {times!r} is not offered; use 1 or 2")
+        if self.derivatives:
+            return self._new(self.derivatives[times - 1])
+        return self._filter((1j * self.expansion.n) ** times)
+
+    def shift(self, fraction):
+        fraction = rational(fraction)
+        turns = int(fraction.p) / int(fraction.q) * np.fft.fftfreq(
+            self.expansion.points, 1 / self.expansion.points)
+        return self._filter(np.exp(2j * np.pi * turns))
+
+    def neighbours(self, bodies=3):
+        n = np.rint(np.fft.fftfreq(self.expansion.points, 1 / self.expansion.points))
+        return self._filter(np.where(n % bodies == 0, bodies - 1.0, -1.0))
+
+    def _filter(self, multiplier):
+        if np.iscomplexobj(self.values):     # apart, or rounding of one would drown the other
+            real, imag = self._new(self.values.real), self._new(self.values.imag)
+            return self._new(real._filter(multiplier).values + 1j * imag._filter(multiplier).values)
+        points = self.expansion.points
+        full = np.broadcast_to(self.values, self.values.shape[:-1] + (points,))
+        half = np.fft.rfft(full, axis=-1) * multiplier[:points // 2 + 1]
+        return self._new(np.fft.irfft(half, points, axis=-1))
