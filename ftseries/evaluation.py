@@ -13,7 +13,8 @@ import numpy as np
 from .errors import ConvergenceWarning, InputError
 from .trig import finite
 
-__all__ = ["amplitudes", "broadcastable", "finite", "fourier_sum", "radius_estimate", "warn_outside", "mp_evaluate"]
+__all__ = ["amplitudes", "broadcastable", "finite", "fourier_sum", "radius_estimate",
+           "warn_outside", "mp_evaluate"]
 
 
 def amplitudes(table, lam):

@@ -21,6 +21,8 @@ __all__ = ["Elimination", "Family", "LinearPart", "tangent"]
 
 #: orders of λ within which every equation must begin to depend on some unknown
 REACH = 6
+#: the lowest modes of each unknown that are probed for it
+_PROBES = 4
 
 
 class Dual:
@@ -195,7 +197,8 @@ class LinearPart:
         columns = [(name, *mode) for name, unknown in problem.unknowns.items()
                    for mode in unknown.columns(top)]
         columns.sort(key=lambda c: -c[2])
-        self.shifts = self._leading_orders([c for c in columns if c[2] <= 3])
+        self.shifts = self._leading_orders([c for name in problem.unknowns for c in
+                                            [c for c in columns if c[0] == name][-_PROBES:]])
         self.elimination = Elimination({c: self.rows([{c: fmpq(1)}], 0) for c in columns})
         self.families = [Family(self, [vector]) for vector in self.elimination.kernel]
 

@@ -55,8 +55,8 @@ class Field:
         if not isinstance(self.fixed, tuple) or not all(
                 self.has(mode if isinstance(mode, tuple) else self.mode(mode))
                 for mode in self.fixed):
-            raise InputError(f"fixed={self.fixed!r}: give a tuple of Fourier orders n of the ansatz, "
-                             "such as (1,), or of modes (sine, n)")
+            raise InputError(f"fixed={self.fixed!r}: give a tuple of Fourier orders n of the "
+                             "ansatz, such as (1,), or of modes (sine, n)")
 
     def columns(self, top):
         """The modes (sine, n) of the ansatz with n ≤ top, highest first."""

@@ -6,14 +6,14 @@ Index convention and formula.  A sum
 
 is split into at most four *parts*, one for each **kind** = (parity of n) + 2·(0 cosine, 1 sine):
 
-====  ==========  =====================
-kind  modes       symmetries
-====  ==========  =====================
+====  ===========  ======================
+kind  modes        symmetries
+====  ===========  ======================
 0     cos, n even  even in τ, period π
 1     cos, n odd   even in τ, antiperiod π
 2     sin, n even  odd in τ, period π
 3     sin, n odd   odd in τ, antiperiod π
-====  ==========  =====================
+====  ===========  ======================
 
 The kind of a product is the exclusive or of the kinds of its factors, so symmetries cost nothing
 to keep and absent parts cost nothing at all.  A mode is named ``(sine, n)`` with sine 0 or 1.

@@ -45,7 +45,7 @@ class FigureEightView(View):
     clock = traitlets.Float(0.0).tag(sync=True)
 
 
-def figure_eight(order=12, lam=1.8, t=0.4, stored=60):
+def figure_eight(order=12, lam=1.7, t=0.6, stored=60):
     """Explore the figure eight: λ from 0 past the zero of S_x, orders up to ``stored``.
 
     The relative vectors are laid head to tail; where they close, and only there, the bodies of
@@ -83,7 +83,9 @@ def figure_eight(order=12, lam=1.8, t=0.4, stored=60):
         link(ipywidgets.FloatSlider(description="speed", min=0.1, max=3, step=0.1,
                                     readout_format=".1f"), view, "speed"),
         link(ipywidgets.ToggleButton(description="Play"), view, "playing"),
-        link(ipywidgets.ToggleButton(description="Close the chain: λ = λₙ"), view, "closing"),
+        link(ipywidgets.ToggleButton(description="Set λ = λₙ",
+                                     tooltip="Closes the chain: λ becomes the zero of Sₓ"),
+             view, "closing"),
     ]
     shown = solution.truncate(order)
 

@@ -87,7 +87,7 @@ function build(stage) {
     title: "Bodies, and relative vectors head to tail",
     x: { label: "x", range: [-1, 1] },
     y: { label: "y", range: [-1, 1] },
-    aspect: 1.02,
+    aspect: 1.12,
     equal: true,
     legend: [
       [{ color: "muted", width: 1.2, dash: [5, 4] }, "orbit by Newton’s equations"],
@@ -140,7 +140,7 @@ function build(stage) {
       }
       const lam = stage.number("lam", ...RANGE);
       const playing = stage.get("playing");
-      const columns = stage.root.clientWidth > 620 ? "minmax(0, 8fr) minmax(0, 5fr)" : "";
+      const columns = stage.root.clientWidth > 620 ? "minmax(0, 3fr) minmax(0, 2fr)" : "";
       if (panels.style.gridTemplateColumns !== columns) panels.style.gridTemplateColumns = columns;
 
       if (drawn.lam !== lam || drawn.order !== order) {
@@ -157,10 +157,10 @@ function build(stage) {
       frame(plot, Math.abs(drawn.S));
       drawScene(plot.begin(), { orbit: drawn.orbit, truth, time, relatives, bodies });
       if (!playing || waiting === 0) {
-        const digits = playing ? 3 : 13;
+        const digits = playing ? 3 : 11;
         stage.show([
           [`λ${subscript(order)}`, zero],
-          ["S_x", drawn.S],
+          ["Sₓ", drawn.S],
           ["t", playing ? time.toFixed(digits) : time],
           ...bodies.map((place, i) => [`r${subscript(i + 1)}`, complex(place, digits)]),
         ]);
@@ -174,8 +174,8 @@ class ClosurePlot {
   constructor(stage, eight) {
     Object.assign(this, { stage, eight, curves: new Map(), lams: linspace(...RANGE, 93) });
     this.plot = stage.plot({
-      label: "S_x against λ",
-      title: "Gap S_x at t = 0",
+      label: "Sₓ against λ",
+      title: "Gap Sₓ at t = 0",
       x: { label: "λ", range: RANGE },
       y: { label: "Sₓ", range: [-1, 4.5] },
       aspect: 1.1,
@@ -196,7 +196,7 @@ class ClosurePlot {
 
   draw(lam, order, S) {
     const { plot, stage, lams } = this;
-    plot.aspect = stage.root.clientWidth > 620 ? 1.55 : 0.62;
+    plot.aspect = stage.root.clientWidth > 620 ? 1.66 : 0.62;
     const state = [lam, order, plot.figure.clientWidth, plot.aspect, devicePixelRatio];
     if (this.colors === stage.theme.colors && state.every((value, i) => value === this.state[i])) return;
     [this.state, this.colors] = [state, stage.theme.colors];
@@ -211,7 +211,7 @@ class ClosurePlot {
     plot.text(zero, 0, name, "ink", { align: "right", dx: -9, dy: 14 });
     plot.line([lam, lam], [0, S], { color: "c4", width: 7, alpha: 0.4 });
     plot.dot(lam, S, "point", 6);
-    plot.describe(`S_x falls from 4.33 at λ = 0 through zero at ${name}; at λ = ${lam.toFixed(3)} it is ` +
+    plot.describe(`Sₓ falls from 4.33 at λ = 0 through zero at ${name}; at λ = ${lam.toFixed(3)} it is ` +
       `${signed(S, 4)}.`);
   }
 }
@@ -220,7 +220,7 @@ class ClosurePlot {
 function frame(plot, S) {
   const width = plot.figure.clientWidth - 45;
   const height = plot.figure.clientWidth * plot.aspect - 58;
-  const scale = Math.min(width / Math.max(2.2, S + 0.7), height / 2.5);
+  const scale = Math.min(width / Math.max(2.2, S + 0.7), height / 2.42);
   plot.x.range = [-width / 2 / scale, width / 2 / scale];
   plot.y.range = [-height / 2 / scale, height / 2 / scale];
 }

@@ -161,36 +161,37 @@ function drawBody(context, theme, [x, y], body, physical) {
   context.restore();
 }
 
-/** Names beside the middles of the arrows, on the side away from the chain; S below its band. */
+/** Names beside the middles of the arrows and of the gap, away from the rest of the chain. */
 function drawNames(context, theme, chain, size) {
-  const middle = (a, b) => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-  const centre = middle(middle(chain[0], chain[1]), middle(chain[2], chain[3]));
+  const name = (text, from, to, others, away, color) => {
+    const [middle, inside] = [between(from, to), between(...others)];
+    const length = distance(from, to) || 1;
+    const normal = [(to[1] - from[1]) / length, (from[0] - to[0]) / length];
+    const outward = (middle[0] - inside[0]) * normal[0] + (middle[1] - inside[1]) * normal[1];
+    const side = Math.abs(outward) < 2 ? -Math.sign(normal[1]) : Math.sign(outward);
+    const place = [0, 1].map((i) => middle[i] + away * side * normal[i]);
+    context.strokeStyle = theme.color("paper");
+    context.fillStyle = theme.color(color);
+    context.strokeText(text, ...place);
+    context.fillText(text, ...place);
+  };
   context.save();
   context.textAlign = "center";
   context.textBaseline = "middle";
-  context.font = `italic 14px Georgia, "Times New Roman", serif`;
-  CHAIN.forEach(({ name }, k) => {
-    const [x, y] = middle(chain[k], chain[k + 1]);
-    const length = distance(chain[k], chain[k + 1]) || 1;
-    let normal = [(chain[k + 1][1] - chain[k][1]) / length, (chain[k][0] - chain[k + 1][0]) / length];
-    const flat = Math.abs(normal[1]) > 0.98;
-    const outward = normal[0] * (x - centre[0]) + normal[1] * (y - centre[1]);
-    if (flat ? normal[1] > 0 : outward < 0) normal = normal.map((value) => -value);
-    haloed(context, theme, name, x + 17 * normal[0], y + 14 * normal[1], "ink");
+  context.lineWidth = 4;
+  context.font = `italic 15px Georgia, "Times New Roman", serif`;
+  CHAIN.forEach((link, k) => {
+    const others = chain.filter((_, i) => i !== k && i !== k + 1);
+    name(link.name, chain[k], chain[k + 1], others, 16, "ink");
   });
   if (distance(chain[0], chain[3]) > 24) {
-    const [x, y] = middle(chain[0], chain[3]);
-    haloed(context, theme, `S = ${size.toFixed(3)}`, x, y + 22, "c4");
+    name(`S = ${size.toFixed(3)}`, chain[3], chain[0], [chain[1], chain[2]], 21, "c4");
   }
   context.restore();
 }
 
-function haloed(context, theme, text, x, y, color) {
-  context.strokeStyle = theme.color("paper");
-  context.lineWidth = 4;
-  context.strokeText(text, x, y);
-  context.fillStyle = theme.color(color);
-  context.fillText(text, x, y);
+function between(a, b) {
+  return [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
 }
 
 function distance(a, b) {
