@@ -23,10 +23,12 @@ from .problems import CubicOscillator, FigureEight, GeneralizedMathieu, figure_e
 from .series import cos, exp, sin
 from .solution import Solution, load
 from .solver import solve
+from .sweep import sweep
+from .symbolic import Equations
 
 __version__ = "0.1.0"
 
-__all__ = ["solve", "Solution", "load", "Problem", "Field", "Scalar", "CubicOscillator",
-           "GeneralizedMathieu", "FigureEight", "figure_eight", "sin", "cos", "exp",
-           "FTSeriesError", "InputError", "NonAnalyticError", "SolveError", "UndeterminedError",
-           "ContradictionError", "FileError", "ConvergenceWarning"]
+__all__ = ["solve", "sweep", "Solution", "load", "Problem", "Equations", "Field", "Scalar",
+           "CubicOscillator", "GeneralizedMathieu", "FigureEight", "figure_eight", "sin", "cos",
+           "exp", "FTSeriesError", "InputError", "NonAnalyticError", "SolveError",
+           "UndeterminedError", "ContradictionError", "FileError", "ConvergenceWarning"]

@@ -17,7 +17,7 @@ from flint import Ordering, arb, arb_poly, fmpq, fmpq_mpoly_ctx, fmpq_poly, fmpz
 from .errors import InputError
 from .trig import Ring, rational
 
-__all__ = ["RationalRing", "PolynomialRing", "BallRing"]
+__all__ = ["RationalRing", "PolynomialRing", "SurdRing", "BallRing"]
 
 
 class _LaurentRing(Ring):
@@ -159,6 +159,41 @@ class PolynomialRing(_LaurentRing):
             raise InputError("a power of an expression that depends on a parameter at λ = 0 is not "
                              "a polynomial; give the parameter a value")
         return self.number(RationalRing().root(fmpq(value.leading_coefficient()), alpha))
+
+
+class SurdRing(PolynomialRing):
+    """The same over the field Q(√3): what thirds and twelfths of a period ask for.
+
+    √3 is a further variable s, and every result is reduced modulo s² - 3.
+    """
+
+    def __init__(self, names=()):
+        super().__init__((*names, "sqrt3"))
+        self.surd = self.parameters[-1]
+        self.relation = self.surd**2 - 3
+
+    def turn(self, fraction):
+        half, side = self.number(fmpq(1, 2)), self.surd * fmpq(1, 2)
+        one, zero = self.number(1), self.number(0)
+        cosines = [one, side, half, zero, -half, -side, -one, -side, -half, zero, half, side]
+        twelfths = 12 * rational(fraction)
+        if twelfths.q != 1:
+            return super().turn(fraction)
+        i = int(twelfths.p)
+        return cosines[i % 12], cosines[(i - 3) % 12]
+
+    def pack(self, d, values):
+        return self.reduced(super().pack(d, values))
+
+    def scale(self, part, number):
+        return self.reduced(super().scale(part, number))
+
+    def dot(self, terms):
+        return self.reduced(super().dot(terms))
+
+    def reduced(self, part):
+        d, p, c = part
+        return d, p % self.relation, c
 
 
 class BallRing(_LaurentRing):

@@ -153,6 +153,8 @@ class Problem:
         The scalar ω in τ = ωt; None where the period is 2π.
     ahead : int
         How far Fourier orders may run ahead of Taylor orders: n ≤ m + ahead.  The paper has 0.
+    surd : bool
+        Do shifts by thirds of a period bring √3 into the single terms of the equations?
     """
 
     unknowns = {}
@@ -160,6 +162,7 @@ class Problem:
     parameters = ()
     frequency = None
     ahead = 0
+    surd = False
     #: every problem class by name, so that a saved solution finds its own
     classes = {}
 
@@ -212,8 +215,11 @@ class Problem:
 
     def allowed(self, name, n, m):
         """May mode n of an unknown have a coefficient of Taylor order m, beyond the seed?"""
-        return (n <= m + self.ahead and m >= len(self.seed[name])
-                and m % 2 in _PARITIES[self.unknowns[name].powers])
+        return (n <= m + self.ahead and m >= len(self.seed[name]) and self.in_powers(name, m))
+
+    def in_powers(self, name, m):
+        """Is λ^m among the powers of an unknown's ansatz?"""
+        return m % 2 in _PARITIES[self.unknowns[name].powers]
 
     def check(self):
         """Refuse a declaration that cannot be meant."""

@@ -47,6 +47,11 @@ class Solution(Quality):
         self.coefficients, self.precision = coefficients, precision
         self._table = lru_cache(maxsize=64)(self._make_table)
 
+    def __reduce__(self):
+        """Pickled like a saved file, so that solutions travel between processes."""
+        return _restored, (self.problem, self.arithmetic, self.order,
+                           storage.encoded(self.coefficients), self.precision)
+
     def __repr__(self):
         bits = f", precision={self.precision}" if self.precision else ""
         return f"<Solution of {self.problem!r}, order {self.order}, {self.arithmetic}{bits}>"
@@ -267,6 +272,11 @@ class Solution(Quality):
             frequency = None
         return evaluation.mp_evaluate(rows(name), rows(frequency)[0, 0] if frequency else None,
                                       t, lam, dps)
+
+
+def _restored(problem, arithmetic, order, coefficients, precision):
+    return Solution(problem, arithmetic, order,
+                    storage.decoded(coefficients, problem, arithmetic), precision)
 
 
 def load(path, problem=None):

@@ -25,7 +25,7 @@ from tqdm.auto import tqdm
 
 from .errors import ContradictionError, InputError, SolveError, UndeterminedError
 from .grid import FloatRing
-from .laurent import BallRing, PolynomialRing, RationalRing
+from .laurent import BallRing, PolynomialRing, RationalRing, SurdRing
 from .linear import Elimination, Family, LinearPart
 from .problem import Problem
 from .series import Expansion
@@ -90,7 +90,7 @@ def solve(problem, order, arithmetic="exact", precision=128, progress=True):
                          f"{type(problem).__name__}")
     seed = problem.first_coefficients()
     _check_memory(problem, order, arithmetic, precision)
-    ring = PolynomialRing(problem.parameters) if problem.parameters else RationalRing()
+    ring = _exact_ring(problem)
     known = _converted(seed, ring)
     asked, order = order, max(order, *(len(rows) for rows in seed.values()))    # checks the seed
     linear = LinearPart(problem, ring, known, order + LATEST + problem.ahead)
@@ -99,6 +99,8 @@ def solve(problem, order, arithmetic="exact", precision=128, progress=True):
                disable=not progress)
     with bar:
         _Stages(problem, linear, ring, known, lead).run(bar)
+        if problem.surd:
+            known = _without_surd(known, problem)
         if arithmetic == "float":
             top = order + LATEST + max(linear.shifts)
             ring = FloatRing(degree=top + problem.ahead, order=top)
@@ -113,6 +115,28 @@ def solve(problem, order, arithmetic="exact", precision=128, progress=True):
                     _Stages(problem, linear, ring, known, order).run(bar, fresh=False)
     return Solution(problem, arithmetic, order, known,
                     precision if arithmetic == "ball" else None).truncate(asked)
+
+
+def _exact_ring(problem):
+    if problem.surd:
+        return SurdRing(problem.parameters)
+    return PolynomialRing(problem.parameters) if problem.parameters else RationalRing()
+
+
+def _without_surd(known, problem):
+    """The coefficients without the variable √3, which has to cancel in the end."""
+    target = PolynomialRing(problem.parameters) if problem.parameters else RationalRing()
+
+    def plain(name, m, c):
+        terms = c.to_dict()
+        if any(exponents[-1] for exponents in terms):
+            raise SolveError(f"a coefficient of {name} at order {m} contains √3 ({c}); choose the "
+                             "phase or the unit so that the coefficients are rational")
+        if not problem.parameters:
+            return sum(terms.values(), fmpq(0))
+        return target.context.from_dict({exponents[:-1]: q for exponents, q in terms.items()})
+    return {name: [{mode: plain(name, m, c) for mode, c in row.items()}
+                   for m, row in enumerate(rows)] for name, rows in known.items()}
 
 
 def _converted(known, ring):
@@ -252,8 +276,9 @@ class _Stages:
                 self.open.append((k, family))
 
     def verify(self, k, message):
+        residual = self.residual(k)                     # evaluates the nodes that scale looks at
         scales = [self.scale(k + shift) for shift in self.linear.shifts]
-        for (e, sine, n), c in self.residual(k).items():
+        for (e, sine, n), c in residual.items():
             if not self.ring.negligible(c, scales[e]):
                 raise ContradictionError(message.format(
                     name=self.linear.names[e], order=k + self.linear.shifts[e],

@@ -19,7 +19,7 @@ from .laurent import PolynomialRing
 from .problem import Problem
 from .trig import rational
 
-__all__ = ["save", "read"]
+__all__ = ["save", "read", "encoded", "decoded"]
 
 
 def save(solution, path):
@@ -36,9 +36,7 @@ def save(solution, path):
                     "arguments": solution.problem.arguments()},
         "arithmetic": solution.arithmetic, "order": solution.order,
         "precision": solution.precision,
-        "coefficients": {name: [[[*mode, _encode(c)] for mode, c in sorted(row.items())]
-                                for row in rows]
-                         for name, rows in solution.coefficients.items()},
+        "coefficients": encoded(solution.coefficients),
     }
     text = json.dumps(data | {"sha256": _digest(data)})
     path = os.fspath(path)
@@ -85,6 +83,20 @@ def read(path, problem=None):
         raise FileError(f"{path!r} is damaged: {error}; save the solution again") from None
 
 
+def encoded(coefficients):
+    """Coefficients as plain JSON values."""
+    return {name: [[[*mode, _encode(c)] for mode, c in sorted(row.items())] for row in rows]
+            for name, rows in coefficients.items()}
+
+
+def decoded(coefficients, problem, arithmetic):
+    """The coefficients again; what belongs to no unknown of the problem is not read."""
+    decode = {"exact": _polynomial(problem.parameters) if problem.parameters else _rational,
+              "float": float, "ball": _ball}[arithmetic]
+    return {name: [{(sine, n): decode(c) for sine, n, c in row} for row in coefficients[name]]
+            for name in problem.unknowns}
+
+
 def _contents(data, problem):
     name, arguments = data["problem"]["name"], data["problem"]["arguments"]
     if problem is None:
@@ -97,14 +109,10 @@ def _contents(data, problem):
         inner = ", ".join(f"{key}={value}" for key, value in arguments.items())
         raise FileError(f"the file holds a solution of {name}({inner}), not of {problem!r}")
     arithmetic, order = data["arithmetic"], data["order"]
-    decode = {"exact": _polynomial(problem.parameters) if problem.parameters else _rational,
-              "float": float, "ball": _ball}[arithmetic]
-    coefficients = {}
-    for unknown in problem.unknowns:
-        rows = data["coefficients"][unknown]
+    coefficients = decoded(data["coefficients"], problem, arithmetic)
+    for unknown, rows in coefficients.items():
         if len(rows) != order + 1:
             raise InputError(f"{unknown} has {len(rows)} Taylor orders instead of {order + 1}")
-        coefficients[unknown] = [{(sine, n): decode(c) for sine, n, c in row} for row in rows]
     return problem, arithmetic, order, coefficients, data["precision"]
 
 

@@ -4,6 +4,9 @@ Each function returns an ipywidgets layout to be shown by the cell that calls it
 evaluates the series itself, so an explorer works with no kernel, no server and no network.
 """
 
+from .coefficients import coefficients
 from .cubic import cubic
+from .figure_eight import figure_eight
+from .mathieu import mathieu
 
-__all__ = ["cubic"]
+__all__ = ["coefficients", "cubic", "figure_eight", "mathieu"]

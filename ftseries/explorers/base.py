@@ -88,6 +88,12 @@ class View(anywidget.AnyWidget):
             cls._css = (resources.files(__package__) / "js" / "explorers.css").read_text("utf-8")
         super().__init_subclass__(**kwargs)
 
+    def __init__(self, **traits):
+        try:
+            super().__init__(**traits)
+        except traitlets.TraitError as error:
+            raise InputError(str(error)) from None
+
 
 class Explorer(ipywidgets.VBox):
     """Controls above a view, with a picture for where no JavaScript runs, such as print.
@@ -140,8 +146,17 @@ def picture(draw, panels=1):
 
 
 def link(control, view, trait):
-    """Give ``control`` the value of the view's trait and tie both in the browser."""
-    control.value = getattr(view, trait)
+    """Give ``control`` the value of the view's trait and tie both in the browser.
+
+    Raises
+    ------
+    InputError
+        The value is beyond the control's range.
+    """
+    control.value = value = getattr(view, trait)
+    if control.value != value:
+        raise InputError(f"{control.description} = {value!r} is outside {control.min} … {control.max}; "
+                         "choose a value in this range")
     ipywidgets.jslink((control, "value"), (view, trait))
     return control
 

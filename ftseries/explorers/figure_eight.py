@@ -1,4 +1,4 @@
-"""The explorer of the figure eight, section 4 of the paper: three bodies and their closing chain."""
+"""The explorer of the figure eight, section 4 of the paper: three bodies and their chain."""
 
 import warnings
 
@@ -6,17 +6,19 @@ import ipywidgets
 import numpy as np
 import traitlets
 
-from ..errors import ConvergenceWarning
-from ..figures import figure_eight as figures
+from ..errors import ConvergenceWarning, InputError
+from ..figures.style import BLUE, GREEN, GREY, PURPLE, VERMILION
 from ..problems import FigureEight
-from ..problems.figure_eight import closure, closure_zero, positions
-from ..references.newton import figure_eight_coefficients
+from ..problems.figure_eight import _relative, closure, closure_zero, positions
+from ..references import newton
 from ..solver import solve
 from .base import Explorer, View, link, pack, packed, picture
 
 __all__ = ["FigureEightView", "figure_eight"]
 
 RANGE = (0.0, 2.3)  # of λ, as in js/figure_eight.js
+BODIES = (BLUE, VERMILION, GREEN)  # 1, 2, 3
+PERIOD = np.linspace(0, 2 * np.pi, 241)
 
 
 class FigureEightView(View):
@@ -66,12 +68,21 @@ def figure_eight(order=12, lam=1.7, t=0.6, stored=60):
     -------
     Explorer
 
+    Raises
+    ------
+    InputError
+        ``order``, ``lam`` or ``t`` lies outside its slider.
+
     Examples
     --------
     >>> explorer = figure_eight(order=6, lam=2.0, stored=12)
     >>> explorer.view.order, explorer.controls["λ"].value, explorer.controls["order"].max
     (6, 2.0, 12)
     """
+    for name, value, low, high in (("order", order, 2, stored), ("lam", lam, *RANGE),
+                                   ("t", t, 0, 2 * np.pi)):
+        if not low <= value <= high:
+            raise InputError(f"{name}={value!r}: give a number from {low} to {high:g}")
     solution = solve(FigureEight(), order=stored)
     view = FigureEightView(data=pack(solution, "r", "phi") | _orbit(stored), order=order, lam=lam,
                            t=t, clock=t)
@@ -92,42 +103,58 @@ def figure_eight(order=12, lam=1.7, t=0.6, stored=60):
     def draw(left, right):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ConvergenceWarning)
-            _bodies(left, shown, lam)
+            _bodies(left, shown, lam, t)
             _closure(right, shown, lam)
 
     return Explorer(controls, view, picture(draw, 2),
-                    f"Left, the three bodies at t = 0 on the orbit of order {order} at λ = {lam:g}, "
-                    "and the three relative vectors head to tail, which leave a gap S; right, the "
-                    "gap against λ, with its zero.")
+                    f"Left, the three bodies at t = {t:g} on the orbit of order {order} at "
+                    f"λ = {lam:g}, and the three relative vectors head to tail, which leave a gap "
+                    "S; right, the gap against λ, with its zero.")
 
 
 def _orbit(order):
-    """r_3 of Newton's equations, packed as two sine series "x" and "y" that do not depend on λ."""
-    table = list(enumerate(figure_eight_coefficients()))
-    return {name: packed({(1, n, 0): {0: part} for n, c in table if (part := getattr(c, attribute))},
-                         order)
-            for name, attribute in (("x", "real"), ("y", "imag"))}
+    """r_3 of Newton's equations, packed as sine series "x" and "y" that do not depend on λ."""
+    parts = {"x": newton.figure_eight_coefficients().real,
+             "y": newton.figure_eight_coefficients().imag}
+    return {name: packed({(1, n, 0): {0: c} for n, c in enumerate(part)}, order)
+            for name, part in parts.items()}
 
 
-def _bodies(ax, sol, lam):
-    bodies, S = positions(sol, 0.0, lam), closure(sol, lam)
-    orbit = positions(sol, np.linspace(0, 2 * np.pi, 241), lam)[0]
-    ax.plot(orbit.real, orbit.imag, color=figures.GREY, lw=1)
-    r_12, r_23, r_31 = bodies - np.roll(bodies, -1) + S / 3
-    figures.head_to_tail(ax, [r_12, r_23, r_31], origin=-S / 2)
-    for body, colour in zip(bodies, figures.COLOURS, strict=False):
-        ax.plot(body.real, body.imag, "o", color=colour, ms=9)
-    ax.set(xlabel="$x$", ylabel="$y$", aspect="equal")
-    ax.margins(0.1)
-    ax.legend()
+def _bodies(ax, sol, lam, t):
+    """The bodies on their orbit; r_23, r_12, r_31 head to tail, the gap centred on body 3."""
+    bodies, (r_12, r_23, r_31) = positions(sol, t, lam), _relative(sol, t, lam)
+    S = r_12 + r_23 + r_31
+    corners = bodies[2] - S / 2 + np.cumsum([0, r_23, r_12, r_31])
+    truth, orbit = newton.figure_eight(PERIOD)[2], positions(sol, PERIOD, lam)[0]
+    ax.plot(truth.real, truth.imag, color=GREY, lw=1, ls="--", label="Newton’s orbit")
+    ax.plot(orbit.real, orbit.imag, color=GREY, lw=0.8, ls="-")
+    ax.plot(corners[[0, 3]].real, corners[[0, 3]].imag, color=PURPLE, lw=8, ls="-",
+            alpha=0.45, label="gap $S$")
+    links = ((0, GREEN, "$r_{23}$"), (1, VERMILION, "$r_{12}$"), (2, BLUE, "$r_{31}$"))
+    for k, colour, name in links:
+        start, end = corners[k:k + 2]
+        ax.annotate("", (end.real, end.imag), (start.real, start.imag), arrowprops={
+            "arrowstyle": "-|>", "color": colour, "lw": 1.8, "shrinkA": 0, "shrinkB": 0})
+        middle, inside = (start + end) / 2, np.delete(corners, [k, k + 1]).mean()
+        normal = 1j * (end - start) / abs(end - start)
+        away = 13 * normal * np.sign(((middle - inside) * normal.conjugate()).real)
+        ax.annotate(name, (middle.real, middle.imag), (away.real, away.imag),
+                    textcoords="offset points", ha="center", va="center")
+    for number, (body, colour) in enumerate(zip(bodies, BODIES, strict=True), 1):
+        ax.plot(body.real, body.imag, "o", color=colour, ms=13)
+        ax.annotate(str(number), (body.real, body.imag), ha="center", va="center", color="white",
+                    size=9, weight="bold")
+    half = 0.15 + max(abs(corners.real).max(), 1.0)
+    ax.set(xlabel="$x$", ylabel="$y$", aspect="equal", xlim=(-half, half))
+    ax.legend(loc="lower right", fontsize=8, handlelength=2)
 
 
 def _closure(ax, sol, lam):
     values = np.linspace(*RANGE, 93)
-    ax.plot(values, closure(sol, values), color=figures.BLUE)
-    ax.axhline(0, color=figures.GREY, lw=0.8)
+    ax.plot(values, closure(sol, values), color=BLUE, ls="-")
+    ax.axhline(0, color=GREY, lw=0.8, ls="-")
     zero = closure_zero(sol)
-    ax.plot(zero, 0, "o", color=figures.GREEN, label=rf"zero, $\lambda$ = {zero:.5f}")
-    ax.plot(lam, closure(sol, lam), "s", color=figures.VERMILION, label=rf"$\lambda$ = {lam:g}")
+    ax.plot(zero, 0, "o", color=GREEN, label=rf"zero, $\lambda$ = {zero:.5f}")
+    ax.plot(lam, closure(sol, lam), "s", color=PURPLE, label=rf"$\lambda$ = {lam:g}")
     ax.set(xlabel=r"$\lambda$", ylabel="$S_x$", xlim=RANGE)
     ax.legend()

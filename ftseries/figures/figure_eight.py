@@ -23,7 +23,7 @@ PERIOD = np.linspace(0, 2 * np.pi, 1201)
 def choreography(ax, positions):
     """The eight lying, as in the paper's first figure, with the bodies at t = 0 and t = 2π/12.
 
-    ``positions`` gives the three upright positions for an array of times.
+    ``positions`` is a function of time that gives the three upright positions.
     """
     _orbit(ax, _lying(positions, PERIOD)[2], color=GREY, lw=1.2)
     for t, prime, line in ((0, "", LINES[1]), (np.pi / 6, "'", LINES[2])):
@@ -31,25 +31,25 @@ def choreography(ax, positions):
         _orbit(ax, bodies[[0, 1, 2, 0]], color=BLUE if prime else VERMILION, ls=line)
         for number, (z, colour) in enumerate(zip(bodies, COLOURS, strict=False), 1):
             ax.plot(z.real, z.imag, "o", color=colour, ms=9, mfc="none" if prime else colour)
-            outward = z / abs(z) if abs(z) > 1e-6 else 1j
-            ax.annotate(f"${number}{prime}$", (z.real, z.imag), (16 * outward.real, 16 * outward.imag),
+            away = 16 * (z / abs(z) if abs(z) > 1e-6 else 1j)
+            ax.annotate(f"${number}{prime}$", (z.real, z.imag), (away.real, away.imag),
                         textcoords="offset points", ha="center", va="center")
     ax.margins(0.1, 0.25)
     _plane(ax, "$y$", "$-x$")
 
 
-def orbits(ax, low, lam_low, high, lam_high):
-    """The upright orbits of two solutions, ``low`` dashed and ``high`` full, each at its λ."""
-    for sol, lam, colour, line in ((low, lam_low, VERMILION, LINES[1]),
-                                   (high, lam_high, BLUE, LINES[0])):
-        _orbit(ax, eight.positions(sol, PERIOD, lam)[2], color=colour, ls=line,
-               label=f"order {sol.order}")
+def orbits(ax, curves):
+    """Upright orbits on top of one another; ``curves`` maps labels to closed curves."""
+    for (label, z), colour, line in zip(curves.items(), (BLUE, VERMILION, GREEN), LINES,
+                                        strict=False):
+        _orbit(ax, np.append(z, z[0]), color=colour, ls=line, label=label)
     _plane(ax, "$x$", "$y$")
+    ax.set_xticks([-0.3, 0, 0.3])
     ax.legend(loc="center left", bbox_to_anchor=(1, 0.5))
 
 
 def closure(ax, sol, orders, lam):
-    """S_x(λ) at the values ``lam`` for ``sol`` cut at several orders; the inset magnifies the zero."""
+    """S_x(λ) at the values ``lam`` for ``sol`` cut at several orders; an inset shows the zero."""
     inset = ax.inset_axes([0.13, 0.12, 0.5, 0.4])
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ConvergenceWarning)   # the curves go past the radius

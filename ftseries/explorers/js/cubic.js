@@ -18,7 +18,7 @@ function build(stage) {
     title: "Potential and energy",
     label: "Potential V(x) with the energy line and the particle",
     x: { label: "x" }, y: { label: "V(x)" },
-    legend: [["ink", "V(x)"], ["limit", "energy E"], ["series", "particle, series"], ["exact", "particle, exact"]],
+    legend: [["ink", "V(x)"], ["limit", "energy E"], ["series", "particle"]],
   });
   const motion = stage.plot({
     title: "Motion",

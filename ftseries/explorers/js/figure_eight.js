@@ -7,7 +7,7 @@
 
 import { linspace } from "./series.js";
 import { mount } from "./view.js";
-import { corners, drawScene, gap } from "./figure_eight_scene.js";
+import { drawScene, extent, gap, MARGIN } from "./figure_eight_scene.js";
 
 const THIRD = (2 * Math.PI) / 3;
 const SAMPLES = 240;
@@ -28,8 +28,12 @@ export class Eight {
 
   /** r_12 at times, as {x, y}. */
   vectors(times) {
-    const [length, angle] = [this.r.sample(this.radii, times), this.phi.sample(this.angles, times)];
-    return { x: length.map((r, i) => r * Math.cos(angle[i])), y: length.map((r, i) => r * Math.sin(angle[i])) };
+    const length = this.r.sample(this.radii, times);
+    const angle = this.phi.sample(this.angles, times);
+    return {
+      x: length.map((r, i) => r * Math.cos(angle[i])),
+      y: length.map((r, i) => r * Math.sin(angle[i])),
+    };
   }
 
   /** [r_12, r_23, r_31] at a time. */
@@ -38,12 +42,12 @@ export class Eight {
     return [0, 1, 2].map((i) => [x[i], y[i]]);
   }
 
-  /** The orbit that the three bodies share: r_1 on GRID. */
-  orbit() {
-    const { x, y } = this.vectors(GRID);
-    const shift = (values) =>
+  /** r_12 on GRID, and the orbit that the three bodies share: r_1 on GRID. */
+  motion() {
+    const vectors = this.vectors(GRID);
+    const orbit = (values) =>
       values.map((value, i) => (value - values[(i + SAMPLES / 3) % SAMPLES]) / 3);
-    return { x: shift(x), y: shift(y) };
+    return { vectors, orbit: { x: orbit(vectors.x), y: orbit(vectors.y) } };
   }
 
   /** S_x of (E4) at t = 0. */
@@ -90,8 +94,8 @@ function build(stage) {
     aspect: 1.12,
     equal: true,
     legend: [
-      [{ color: "muted", width: 1.2, dash: [5, 4] }, "orbit by Newton’s equations"],
-      [{ color: "c4", width: 8, alpha: 0.35 }, "gap S of the chain"],
+      [{ color: "muted", width: 1.2, dash: [5, 4] }, "Newton’s orbit"],
+      [{ color: "c4", width: 8, alpha: 0.35 }, "gap S"],
     ],
   });
   const closure = new ClosurePlot(stage, eight);
@@ -102,7 +106,7 @@ function build(stage) {
   let drawn = {};
   if (!stage.reducedMotion()) stage.set("playing", true);
 
-  /** The running time goes to the trait t now and then; any other value of t comes from the reader. */
+  /** The running time goes to the trait t now and then; another value of t comes from the reader. */
   function report(value) {
     reported = value;
     stage.set("clock", value);
@@ -145,16 +149,16 @@ function build(stage) {
 
       if (drawn.lam !== lam || drawn.order !== order) {
         const S = eight.closure(lam, order);
-        const orbit = eight.set(lam, order).orbit();
-        drawn = { lam, order, S, orbit };
+        const { vectors, orbit } = eight.set(lam, order).motion();
+        drawn = { lam, order, S, orbit, half: extent(vectors, orbit) };
         const text = describe(order, lam, S);
         stage.say(text);
-        plot.describe(`Three numbered bodies on their common orbit, and the relative vectors. ${text}`);
+        plot.describe(`Three bodies on one orbit, and their relative vectors: ${text}`);
       }
       closure.draw(lam, order, drawn.S);
       const relatives = eight.set(lam, order).relatives(time);
       const bodies = bodiesOf(relatives);
-      frame(plot, Math.abs(drawn.S));
+      frame(plot, drawn.half);
       drawScene(plot.begin(), { orbit: drawn.orbit, truth, time, relatives, bodies });
       if (!playing || waiting === 0) {
         const digits = playing ? 3 : 11;
@@ -198,8 +202,9 @@ class ClosurePlot {
     const { plot, stage, lams } = this;
     plot.aspect = stage.root.clientWidth > 620 ? 1.66 : 0.62;
     const state = [lam, order, plot.figure.clientWidth, plot.aspect, devicePixelRatio];
-    if (this.colors === stage.theme.colors && state.every((value, i) => value === this.state[i])) return;
-    [this.state, this.colors] = [state, stage.theme.colors];
+    const { colors } = stage.theme;
+    if (colors === this.colors && state.every((value, i) => value === this.state[i])) return;
+    Object.assign(this, { state, colors });
     const zero = this.eight.zero(order);
     const name = `λ${subscript(order)} = ${zero.toFixed(5)}`;
     plot.begin();
@@ -210,27 +215,30 @@ class ClosurePlot {
     plot.dot(zero, 0, { color: "c5" }, 5);
     plot.text(zero, 0, name, "ink", { align: "right", dx: -9, dy: 14 });
     plot.line([lam, lam], [0, S], { color: "c4", width: 7, alpha: 0.4 });
-    plot.dot(lam, S, "point", 6);
-    plot.describe(`Sₓ falls from 4.33 at λ = 0 through zero at ${name}; at λ = ${lam.toFixed(3)} it is ` +
-      `${signed(S, 4)}.`);
+    plot.dot(lam, S, { color: "c4" }, 6);
+    plot.describe(
+      `Sₓ against λ: ${signed(this.curve(order)[0], 2)} at λ = 0, zero at ${name}, ` +
+        `${signed(S, 4)} at λ = ${lam.toFixed(3)}.`,
+    );
   }
 }
 
-/** Show the whole chain and the eight, in one scale for x and y, as large as the canvas allows. */
-function frame(plot, S) {
+/** Show the whole motion, and Newton's, in one scale for x and y, as large as the canvas allows. */
+function frame(plot, [halfX, halfY]) {
   const width = plot.figure.clientWidth - 45;
   const height = plot.figure.clientWidth * plot.aspect - 58;
-  const scale = Math.min(width / Math.max(2.2, S + 0.7), height / 2.42);
+  const [roomX, roomY] = [width / 2 - MARGIN, height / 2 - MARGIN];
+  const scale = Math.min(roomX / Math.max(0.5, halfX), roomY / Math.max(1.08, halfY));
   plot.x.range = [-width / 2 / scale, width / 2 / scale];
   plot.y.range = [-height / 2 / scale, height / 2 / scale];
 }
 
 function describe(order, lam, S) {
-  const state = `order ${order}, λ = ${lam.toFixed(3)}, gap ${Math.abs(S).toFixed(3)}: `;
   const size = Math.abs(S);
-  if (size < 5e-4) return `${state}the chain closes, and the bodies obey Newton’s equations as well as this order can.`;
-  if (size < 0.05) return `${state}the chain nearly closes.`;
-  return `${state}the chain stays open, so this is no motion of three bodies under gravitation.`;
+  let verdict = "the chain stays open, so this is no motion of three bodies under gravitation";
+  if (size < 0.05) verdict = "the chain nearly closes";
+  if (size < 5e-4) verdict = "the chain closes: Newton’s equations, as well as this order can";
+  return `order ${order}, λ = ${lam.toFixed(3)}, gap ${size.toFixed(3)}: ${verdict}.`;
 }
 
 function samples(series) {

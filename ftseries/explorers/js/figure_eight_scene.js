@@ -5,9 +5,9 @@
 //     scene.time                 the time t
 //     scene.relatives            [r12, r23, r31] at that time, each [x, y];  scene.bodies likewise
 //
-// The chain is r23, r12, r31, in this order because r23 ends at body 2, where r12 starts, and so on.
-// By (E4a) its corners miss the bodies 3, 2, 1, 3 by -S/2, -S/6, S/6, S/2 when the gap is centred on
-// body 3: the chain and the triangle of the bodies become one as S goes to zero.
+// The chain is r23, r12, r31, in this order because r23 ends at body 2, where r12 starts, and so
+// on. By (E4a) its corners miss the bodies 3, 2, 1, 3 by -S/2, -S/6, S/6, S/2 when the gap is
+// centred on body 3: the chain and the triangle of the bodies become one as S goes to zero.
 
 export const BODY_COLORS = ["c1", "c2", "c3"];
 export const CHAIN = [
@@ -17,6 +17,7 @@ export const CHAIN = [
 ];
 const DELAY = [0, -1 / 3, 1 / 3]; // body 1, 2, 3 on the common orbit, in periods
 const RADIUS = 11;
+export const MARGIN = 18; // pixels around the motion, for discs and trails
 const FADE = 14; // steps of a trail
 
 /** S = r12 + r23 + r31. */
@@ -33,6 +34,22 @@ export function corners(relatives, bodies) {
     points.push([x + relatives[vector][0], y + relatives[vector][1]]);
   }
   return points;
+}
+
+/** Half the width and height that hold the whole motion, from r12 and r1 over one period. */
+export function extent(vectors, orbit) {
+  const third = (orbit.x.length - 1) / 3;
+  const at = ({ x, y }, i) => [x[i % (3 * third)], y[i % (3 * third)]];
+  const half = [0, 0];
+  for (let i = 0; i < 3 * third; i++) {
+    const shifts = [i, i + 2 * third, i + third]; // t, t - 2π/3, t + 2π/3
+    const relatives = shifts.map((shift) => at(vectors, shift));
+    const bodies = shifts.map((shift) => at(orbit, shift));
+    for (const point of [...bodies, ...corners(relatives, bodies)]) {
+      for (const axis of [0, 1]) half[axis] = Math.max(half[axis], Math.abs(point[axis]));
+    }
+  }
+  return half;
 }
 
 export function drawScene(plot, scene) {
@@ -163,12 +180,12 @@ function drawBody(context, theme, [x, y], body, physical) {
 
 /** Names beside the middles of the arrows and of the gap, away from the rest of the chain. */
 function drawNames(context, theme, chain, size) {
-  const name = (text, from, to, others, away, color) => {
+  const name = (text, from, to, others, away, flat, color) => {
     const [middle, inside] = [between(from, to), between(...others)];
     const length = distance(from, to) || 1;
     const normal = [(to[1] - from[1]) / length, (from[0] - to[0]) / length];
     const outward = (middle[0] - inside[0]) * normal[0] + (middle[1] - inside[1]) * normal[1];
-    const side = Math.abs(outward) < 2 ? -Math.sign(normal[1]) : Math.sign(outward);
+    const side = Math.sign(Math.abs(outward) < 2 ? flat * normal[1] : outward);
     const place = [0, 1].map((i) => middle[i] + away * side * normal[i]);
     context.strokeStyle = theme.color("paper");
     context.fillStyle = theme.color(color);
@@ -182,10 +199,11 @@ function drawNames(context, theme, chain, size) {
   context.font = `italic 15px Georgia, "Times New Roman", serif`;
   CHAIN.forEach((link, k) => {
     const others = chain.filter((_, i) => i !== k && i !== k + 1);
-    name(link.name, chain[k], chain[k + 1], others, 16, "ink");
+    name(link.name, chain[k], chain[k + 1], others, 16, -1, "ink");
   });
   if (distance(chain[0], chain[3]) > 24) {
-    name(`S = ${size.toFixed(3)}`, chain[3], chain[0], [chain[1], chain[2]], 21, "c4");
+    const text = `S = ${size.toFixed(3)}`;
+    name(text, chain[0], chain[3], [chain[1], chain[2]], 23, 1, "c4");
   }
   context.restore();
 }

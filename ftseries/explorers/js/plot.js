@@ -20,14 +20,14 @@
 //   plot.onPoint((x, y) => …)             taps, clicks and drags, in data units
 //
 // A style is a name of STYLES, or { color, width, dash, alpha } where color is "ink", "c1" … "c7"
-// (Okabe and Ito's colours, chosen for the theme in explorers.css) or any CSS colour. Curves that
-// are compared differ in dash and width as well as in colour.
+// (Okabe and Ito's colours, chosen for the theme in explorers.css) or any CSS colour; "ground" is a
+// colour to see it on in the legend. Curves that are compared differ in dash and width as well.
 
 export const STYLES = {
   ink: { color: "ink", width: 1.2 },
   faint: { color: "faint", width: 1.2 },
   guide: { color: "muted", width: 1, dash: [2, 4] },
-  exact: { color: "ink", width: 4, alpha: 0.32 },
+  exact: { color: "ink", width: 7, alpha: 0.26 },
   series: { color: "c1", width: 2 },
   error: { color: "c2", width: 1.8 },
   point: { color: "c2", width: 2 },
@@ -111,11 +111,6 @@ export class Plot {
     this.context.font = `12px ${this.theme.family}`;
     if (this.frame) this.#axes(width, height);
     else this.#area(2, width - 2, height - 2, 2);
-    context.save();
-    context.beginPath();
-    context.rect(this.left, this.top, this.right - this.left, this.bottom - this.top);
-    this.clip = true;
-    context.restore();
     return this;
   }
 
@@ -294,10 +289,12 @@ function legendList(entries) {
   const list = element("ul", "ft-legend");
   for (const [name, label] of entries) {
     const item = list.appendChild(element("li", ""));
-    const { color, width = 1.5, dash = [], alpha = 1 } = typeof name === "string" ? STYLES[name] : name;
+    const style = typeof name === "string" ? STYLES[name] : name;
+    const { color, width = 1.5, dash = [], alpha = 1, ground = "none" } = style;
     const paint = /^[a-z]+\d?$/.test(color) ? `var(--ft-${color})` : color;
     item.innerHTML =
-      `<svg width="26" height="10" aria-hidden="true"><line x1="1" y1="5" x2="25" y2="5" ` +
+      `<svg width="26" height="10" style="background:${ground}" aria-hidden="true">` +
+      `<line x1="1" y1="5" x2="25" y2="5" ` +
       `style="stroke:${paint};stroke-width:${width};stroke-dasharray:${dash};opacity:${alpha}"/></svg>`;
     item.append(label);
   }
@@ -332,7 +329,7 @@ export function ticks({ range: [a, b], log, ticks: given, format }, wanted) {
     text ??= (value) => value.toFixed(Math.min(decimals, 12)).replace(/^-(?=0(\.0*)?$)/, "").replace("-", "−");
   }
   text ??= (value) => String(value).replace("-", "−");
-  return values.map((value) => ({ value, text: text(value) }));
+  return Array.from(values, (value) => ({ value, text: text(value) }));
 }
 
 export function superscript(integer) {

@@ -66,7 +66,7 @@ class Stage {
     this.status = this.root.appendChild(element("p", "ft-status"));
     this.status.setAttribute("role", "status");
     this.table = this.root.appendChild(element("dl", "ft-readings"));
-    this.#guard(() => (this.show_ = build(this)));
+    this.#guard(() => (this.scene = build(this)));
     this.redraw();
   }
 
@@ -109,8 +109,8 @@ class Stage {
 
   number(trait, low, high, name = trait === "lam" ? "λ" : trait) {
     const value = this.get(trait);
-    const inside = Number.isFinite(value) ? Math.min(high, Math.max(low, value)) : low;
-    if (inside !== value) this.note(`${name} = ${value} is outside ${low} … ${high}; ${inside} is shown.`);
+    const inside = clamped(value, low, high);
+    if (inside !== value) this.note(outside(name, value, low, high));
     return inside;
   }
 
@@ -153,12 +153,12 @@ class Stage {
   }
 
   #frame(now) {
-    if (this.complaint || !this.show_ || !this.root.isConnected) return;
-    const playing = this.show_.step && this.get("playing") && this.visible;
+    if (this.complaint || !this.scene || !this.root.isConnected) return;
+    const playing = this.scene.step && this.get("playing") && this.visible;
     this.#guard(() => {
-      if (playing) this.show_.step(Math.min(0.1, (now - (this.last ?? now)) / 1000));
-      this.notes = [];
-      this.show_.draw();
+      if (playing) this.scene.step(Math.min(0.1, (now - (this.last ?? now)) / 1000));
+      this.notes = this.typed ? [this.typed] : [];
+      this.scene.draw();
       const note = this.notes.join(" ");
       if (this.notice.textContent !== note) this.notice.textContent = note;
     });
@@ -207,33 +207,67 @@ class Stage {
   }
 
   /** What ipywidgets' own controls lack: names for slider handles, the state of toggle buttons,
-   *  and a word when a typed number was out of range. */
+   *  and a word when a typed value cannot be taken as it is. */
   #dress() {
-    const box = this.root.closest(".ft-explorer");
-    if (!box) return;
+    const controls = this.root.closest(".ft-explorer")?.querySelector(".ft-controls");
+    if (!controls) return;
     const dress = () => {
-      for (const control of box.querySelectorAll(".ft-controls .jupyter-widgets")) {
+      for (const control of controls.querySelectorAll(".jupyter-widgets")) {
         const name = control.querySelector(".widget-label")?.textContent;
-        const slider = control.querySelector(".noUi-handle");
-        if (slider && name) slider.setAttribute("aria-label", name);
+        if (!name) continue;
+        control.querySelector(".noUi-handle")?.setAttribute("aria-label", name);
         const readout = control.querySelector(".widget-readout");
-        if (readout && name) {
-          readout.setAttribute("role", "textbox");
-          readout.setAttribute("aria-label", `${name}, typed`);
-        }
+        readout?.setAttribute("role", "textbox");
+        readout?.setAttribute("aria-label", `${name}, typed`);
       }
-      for (const button of box.querySelectorAll(".ft-controls .widget-toggle-button")) {
+      for (const button of controls.querySelectorAll(".widget-toggle-button")) {
         const pressed = String(button.classList.contains("mod-active"));
         if (button.getAttribute("aria-pressed") !== pressed) button.setAttribute("aria-pressed", pressed);
       }
     };
     dress();
     const watch = new MutationObserver(dress);
-    watch.observe(box.querySelector(".ft-controls") ?? box, {
+    watch.observe(controls, {
       subtree: true, childList: true, attributes: true, attributeFilter: ["class"],
     });
-    this.onRemove(() => watch.disconnect());
+    const typed = (event) => {
+      if (event.type === "keydown" && event.key !== "Enter") return;
+      if (event.target.classList?.contains("widget-readout")) this.#judge(event.target);
+    };
+    const forget = () => {
+      this.typed = undefined;
+      this.redraw();
+    };
+    const listeners = { keydown: typed, focusout: typed, focusin: forget, pointerdown: forget };
+    for (const [event, listener] of Object.entries(listeners)) {
+      controls.addEventListener(event, listener, true); // before ipywidgets takes the text
+    }
+    this.onRemove(() => {
+      watch.disconnect();
+      for (const [event, listener] of Object.entries(listeners)) {
+        controls.removeEventListener(event, listener, true);
+      }
+    });
   }
+
+  /** A sentence if a typed text is no number, or beyond the ends of its slider. */
+  #judge(readout) {
+    const slider = readout.parentElement.querySelector(".noUi-handle");
+    const name = slider?.getAttribute("aria-label");
+    const [text, value] = [readout.textContent, Number(readout.textContent.replace("−", "-"))];
+    const [low, high] = ["aria-valuemin", "aria-valuemax"].map((end) => Number(slider?.getAttribute(end)));
+    if (Number.isNaN(value)) this.typed = `“${text}” is not a number; ${name} stays as it was.`;
+    else if (value < low || value > high) this.typed = outside(name, value, low, high);
+    this.redraw();
+  }
+}
+
+function clamped(value, low, high) {
+  return Number.isFinite(value) ? Math.min(high, Math.max(low, value)) : low;
+}
+
+function outside(name, value, low, high) {
+  return `${name} = ${value} is outside ${low} … ${high}; ${clamped(value, low, high)} is shown.`;
 }
 
 function digits(value) {

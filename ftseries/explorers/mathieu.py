@@ -1,0 +1,86 @@
+"""The explorer of the generalized Mathieu equation, section 3 of the paper."""
+
+import ipywidgets
+import numpy as np
+import traitlets
+
+from ..errors import FTSeriesError
+from ..figures import mathieu as figures
+from ..problems import GeneralizedMathieu
+from ..solver import solve
+from .base import Explorer, View, link, pack, picture
+
+__all__ = ["MathieuView", "mathieu", "region"]
+
+WIDEST = 0.5    # |μ|, as in js/mathieu.js
+
+
+class MathieuView(View):
+    """Eigenvalue, map of (λ, μ), solution and difference for one λ, μ and order.
+
+    ``region`` holds lists "mu" and "radius": the radius of convergence in λ at some μ.
+    """
+
+    scripts = ("hill.js", "mathieu.js")
+    lam = traitlets.Float(2.0).tag(sync=True)
+    mu = traitlets.Float(-0.3).tag(sync=True)
+    region = traitlets.Dict().tag(sync=True)
+
+
+def mathieu(order=12, lam=2.0, mu=-0.3, stored=60):
+    """Explore the lowest odd solution of (M1): λ up to 3, |μ| up to 1/2, orders up to ``stored``.
+
+    Parameters
+    ----------
+    order : int
+        The order shown first.
+    lam, mu : float
+        The parameters shown first.
+    stored : int
+        The highest order that can be chosen.
+
+    Returns
+    -------
+    Explorer
+
+    Examples
+    --------
+    >>> explorer = mathieu(order=20, mu=0.1)
+    >>> explorer.controls["μ"].value, explorer.view.lam
+    (0.1, 2.0)
+    """
+    solution = solve(GeneralizedMathieu(), order=stored)
+    view = MathieuView(data=pack(solution, "psi", "a"), region=region(), order=order, lam=lam, mu=mu)
+    controls = [
+        link(ipywidgets.FloatSlider(description="λ", min=0, max=3, step=0.01), view, "lam"),
+        link(ipywidgets.FloatSlider(description="μ", min=-WIDEST, max=WIDEST, step=0.01), view, "mu"),
+        link(ipywidgets.IntSlider(description="order", min=2, max=stored), view, "order"),
+    ]
+
+    def draw(left, right):
+        figures.psi(left, solution.truncate(order), lam, mu)
+        figures.error_map(right, solution.truncate(order), points=[(lam, mu)])
+
+    return Explorer(controls, view, picture(draw, 2),
+                    f"Left, ψ(x) at λ = {lam:g}, μ = {mu:g} by the series of order {order} and "
+                    "numerically; right, the error of the eigenvalue over the plane of λ and μ.")
+
+
+def region(points=21, order=99):
+    """The radius of convergence in λ of the eigenvalue for some μ: ``{"mu": […], "radius": […]}``.
+
+    Examples
+    --------
+    >>> region(points=3)                        # at μ = 0: DLMF 28.6.1, √(2 · 3.76995749)
+    {'mu': [-0.5, 0.0, 0.5], 'radius': [1.889, 2.7459, 1.7585]}
+    """
+    found = {"mu": [], "radius": []}
+    for mu in np.linspace(-WIDEST, WIDEST, points).round(6).tolist():
+        solution = solve(GeneralizedMathieu(mu=mu), order=order, arithmetic="float")
+        try:
+            radius = solution.radius_of_convergence("a").value
+        except FTSeriesError:       # a value of μ without a clear radius: the line passes over it
+            continue
+        found["mu"].append(mu)
+        found["radius"].append(round(float(radius), 4))
+    return found

@@ -1,0 +1,101 @@
+"""A family of problems in bulk: one solve for each value, on any executor."""
+
+from concurrent.futures import as_completed
+
+from tqdm.auto import tqdm
+
+from .errors import FTSeriesError, InputError
+from .solver import solve
+
+__all__ = ["Failure", "sweep"]
+
+
+class Failure:
+    """What stands in the place of a solution that could not be found; it is false.
+
+    Attributes
+    ----------
+    value
+        The parameter value.
+    error : Exception
+        Why there is no solution.
+    """
+
+    def __init__(self, value, error):
+        self.value, self.error = value, error
+
+    def __bool__(self):
+        return False
+
+    def __repr__(self):
+        return f"<no solution at {self.value!r}: {type(self.error).__name__}: {self.error}>"
+
+
+def sweep(make_problem, values, order, executor=None, progress=True, **options):
+    """Solve a problem for many parameter values.
+
+    Parameters
+    ----------
+    make_problem : callable
+        Gives the problem for one value; with processes it must be importable.
+    values : iterable
+        Parameter values.
+    order : int
+        The Taylor order, as for :func:`ftseries.solve`.
+    executor : optional
+        Anything with ``submit`` as in :mod:`concurrent.futures`: a process pool, or
+        ``client.get_executor()`` of Dask for several machines.  Left out, the values are solved
+        one after the other.
+    progress : bool
+        Show a progress bar.
+    **options
+        Passed to :func:`ftseries.solve`, for example ``arithmetic="float"``.
+
+    Returns
+    -------
+    list
+        A :class:`ftseries.Solution` for each value, in order; a :class:`Failure` where the solve
+        failed, so that one bad value does not lose the others.
+
+    Examples
+    --------
+    >>> import ftseries as fts
+    >>> found = fts.sweep(fts.CubicOscillator, [1, -1, 4], order=4, progress=False)
+    >>> found[0].coefficient("omega", 2), bool(found[1]), found[2].coefficient("omega", 0)
+    (-sqrt(3)/24, False, 4*sqrt(3))
+    """
+    values = list(values)
+    if executor is not None and not hasattr(executor, "submit"):
+        raise InputError(f"executor={executor!r} has no method submit; give one like those of "
+                         "concurrent.futures")
+    results = [None] * len(values)
+    with tqdm(total=len(values), desc="sweep", delay=3, leave=False, disable=not progress) as bar:
+        if executor is None:
+            for i, value in enumerate(values):
+                results[i] = _one(make_problem, value, order, options)
+                bar.update()
+            return results
+        futures = {executor.submit(_one, make_problem, value, order, options): i
+                   for i, value in enumerate(values)}
+        for future in _completed(futures):
+            i = futures[future]
+            try:
+                results[i] = future.result()
+            except Exception as error:                # a worker that died, an unpicklable problem
+                results[i] = Failure(values[i], error)
+            bar.update()
+    return results
+
+
+def _completed(futures):
+    try:
+        yield from as_completed(futures)
+    except (AttributeError, TypeError):              # futures of another library, asked in order
+        yield from futures
+
+
+def _one(make_problem, value, order, options):
+    try:
+        return solve(make_problem(value), order, progress=False, **options)
+    except FTSeriesError as error:
+        return Failure(value, error)

@@ -1,0 +1,45 @@
+"""js/elliptic.js against the exact oscillator of ftseries.references."""
+
+import numpy as np
+
+from ftseries import explorers
+from ftseries.references import cubic
+
+END = 6.0
+
+
+def test_exact_motion(run_javascript):
+    """Near λ = 3 the motion is unstable: rounding in √(3 + λ) t grows like the distance in phase."""
+    random = np.random.default_rng(5)
+    lam = np.concatenate([random.uniform(0, 3, 200), [0.0, 1e-9, 2.999, 2.9999999]])
+    t = random.uniform(0, END, lam.size)
+    found = np.array(run_javascript("output = input.map(([t, lam]) => [position(t, lam), frequency(lam)]);",
+                                    list(zip(t.tolist(), lam.tolist(), strict=True)), "elliptic.js"))
+    exact = np.array([float(cubic.position(*map(float, place), dps=30)) for place in zip(t, lam, strict=True)])
+    assert np.abs(found[:, 0] - exact).max() < 1e-10
+    assert np.abs(found[:, 1] - cubic.frequency(lam)).max() < 1e-13
+
+
+def test_at_the_separatrix_the_particle_rests(run_javascript):
+    assert run_javascript("output = [position(0, 3), position(4, 3), frequency(3)];", None,
+                          "elliptic.js") == [2, 2, 0]
+
+
+def test_potential_energy_speed(run_javascript):
+    lam = np.linspace(0, 3.5, 8)
+    found = np.array(run_javascript("""
+        output = input.map((lam) => [potential(-1.3, lam), energy(lam), top(lam), speed(-1, lam, energy(lam))]);
+        """, lam.tolist(), "elliptic.js"))
+    V, E, top, speed = found.T
+    assert np.allclose(V, cubic.potential(-1.3, lam), rtol=1e-14)
+    assert np.allclose(E, cubic.energy(lam), rtol=1e-14)
+    assert np.allclose(speed**2, cubic.polynomial(-1.0, lam), rtol=1e-13)
+    h = 1e-4        # V is cubic: the central difference is its slope and -2h²
+    slope = (cubic.potential(top + h, lam) - cubic.potential(top - h, lam)) / (2 * h)
+    assert np.abs(slope + 2 * h**2).max() < 1e-9
+
+
+def test_controls():
+    controls = explorers.cubic(order=24, lam=0.5, stored=30).controls
+    assert list(controls) == ["λ", "order", "t", "Play"]
+    assert (controls["λ"].max, controls["order"].max, controls["t"].max) == (3.5, 30, END)
