@@ -1,29 +1,39 @@
 r"""Singularities and radius of convergence from Taylor coefficients.
 
-Formula.  If f(z) = Σ c_k z^k has J singularities z_i of one type (1 - z/z_i)^s on its circle of
-convergence and none nearer, Darboux's theorem gives c_k ≈ Σ_i C_i z_i^{-k} k^{-s-1} (1 + O(1/k)),
-so the coefficients obey
+Formula.  Near a singularity z_i many functions are A(z) (1 - z/z_i)^s + B(z) with A and B analytic;
+s = 0 stands for a logarithm.  Such an f solves nearly a first-order differential equation with
+polynomial coefficients,
 
-.. math::  c_{k+1} = \sum_{i=0}^{J-1} \Big( α_i + \frac{β_i}{k} + \frac{γ_i}{k^2} + … \Big) c_{k-i},
+.. math::  Q_1(z)\, z f'(z) + Q_0(z) f(z) = P(z) + O(z^{N+1}), \qquad Q_1(0) = 1,
 
-where the z_i are the reciprocal roots of ζ^J = Σ α_i ζ^{J-1-i} and s + 1 = -β_0/α_0.  With J = 1
-and two terms this is the plot of Domb and Sykes; J = 2 finds a complex pair.  (C. Domb and
-M. F. Sykes, Proc. R. Soc. A 240 (1957) 214; P. Flajolet and R. Sedgewick, Analytic Combinatorics,
-chapter VI.)
+a *differential approximant* (A. J. Guttmann, in Phase Transitions and Critical Phenomena 13, 1989).
+The zeros z_i of Q_1 are its singularities, and s = -Q_0(z_i)/(z_i Q_1'(z_i)).  All coefficients but
+the last 2 deg Q + 1 go into P: so deg Q = 1 continues the straight line in the plot of C. Domb and
+M. F. Sykes (Proc. R. Soc. A 240 (1957) 214), and deg Q = 2 finds a complex pair.  Approximants of
+many degrees are made; a singularity is a place on which most of them agree, and its error is what
+they disagree by.
 """
 
 from dataclasses import dataclass
 
-import mpmath
+import numpy as np
+from flint import acb, acb_poly, arb, arb_mat, ctx, fmpq
 
 from ..errors import InputError
 
 __all__ = ["Estimate", "Singularity", "thin", "root_test", "domb_sykes", "nearest_singularities"]
 
-#: decimal digits for exact coefficients; the linear systems are small but badly conditioned
-DIGITS = 120
-#: an exponent beyond this is a fit of nothing
-_STEEPEST = 10
+#: degrees of Q; beyond the second list the zeros follow the rounding of floats
+_DEGREES, _FLOAT_DEGREES = (1, 2, 3, 4, 6, 8, 10, 12, 14, 16, 18, 20), (1, 2, 3, 4, 5, 6, 8)
+#: each degree is fitted to the last coefficients, and with this many of them left out
+_LEFT_OUT = (0, 1, 2)
+_BITS = 700
+#: fits agree when their zeros are this close, relative to the distance from 0
+_CLOSE = 0.04
+#: zeros are looked for between these multiples of the radius that the root test suggests
+_NEAREST, _FARTHEST = 0.1, 1.6
+#: the error given, in units of the distance within which half of the fits lie
+_SAFETY = 5
 
 
 @dataclass(frozen=True)
@@ -37,12 +47,16 @@ class Estimate:
         return f"{self.value:.12g} ± {self.error:.1e}"
 
     def __float__(self):
-        return self.value
+        return float(self.value)
 
 
 @dataclass(frozen=True)
 class Singularity:
-    """A singularity (1 - z/location)^exponent; the errors come from varying the fit."""
+    """A singularity (1 - z/location)^exponent; exponent 0 is a logarithm.
+
+    The errors say how far half of the fits differ, with a factor of safety; they are estimates.  At
+    a singularity of another form, such as 1/log, the exponent is an effective one.
+    """
 
     location: complex
     exponent: float
@@ -63,135 +77,161 @@ def thin(c):
     support = [k for k, value in enumerate(c) if value != 0]
     if not support:
         raise InputError("all coefficients are zero; there is nothing to analyse")
-    step = 0
-    for k in support:
-        step = _gcd(step, k - support[0])
-    step = step or 1
+    step = int(np.gcd.reduce([k - support[0] for k in support])) or 1
     return step, support[0], list(c[support[0]::step])
 
 
-def _gcd(a, b):
-    while b:
-        a, b = b, a % b
-    return a
-
-
 def root_test(c):
-    """Pairs (k, |c_k|^{-1/k}) for every non-zero coefficient but the first."""
-    return [(k, float(abs(_mp(x)) ** (mpmath.mpf(-1) / k)))
-            for k, x in enumerate(c) if k and x != 0]
+    """Pairs (k, |c_k|^{-1/k}) for every non-zero coefficient but the first.
+
+    >>> root_test([1, 2, 4, 8])
+    [(1, 0.5), (2, 0.5), (3, 0.5)]
+    """
+    return [(k, float(abs(x) ** (arb(-1) / k)))
+            for k, x in enumerate(_numbers(c)) if k and x != 0]
 
 
 def domb_sykes(c):
     """The points (1/k, c_k/c_{k-1}) of the plot of Domb and Sykes, zeros left out.
 
+    They tend to 1/z_0 with the slope -(s + 1)/z_0 where one singularity (1 - z/z_0)^s is nearest.
+
     >>> domb_sykes([1, 2, 4, 8])
     [(1.0, 2.0), (0.5, 2.0), (0.3333333333333333, 2.0)]
     """
-    return [(1 / k, float(_mp(c[k]) / _mp(c[k - 1])))
+    c = _numbers(c)
+    return [(1 / k, float(c[k] / c[k - 1]))
             for k in range(1, len(c)) if c[k] != 0 and c[k - 1] != 0]
 
 
-def nearest_singularities(c, count=None):
-    """The singularities on the circle of convergence: one real one, or a complex pair.
+def nearest_singularities(c):
+    """The singularities that the coefficients show, nearest first; of a pair, both.
 
     Parameters
     ----------
     c : sequence
-        Taylor coefficients from order 0 on: floats, fmpq, SymPy or mpmath numbers; none of them
-        regularly zero (see :func:`thin`).
-    count : 1 or 2, optional
-        How many to look for; left out, whichever fits better.
+        Taylor coefficients from order 0 on: floats, fmpq or balls, not regularly zero (see
+        :func:`thin`).
 
     Returns
     -------
     list of Singularity
+        The first sets the radius of convergence; what lies beyond 1.6 radii is left out.
 
     Raises
     ------
     InputError
-        Fewer than 10 coefficients.
+        Fewer than 10 coefficients, or no place on which the fits agree.
 
     Examples
     --------
     The square root sqrt(1 - z/2) has its branch point at 2:
 
-    >>> from flint import fmpq
     >>> c = [fmpq(1)]
     >>> for k in range(1, 40):
     ...     c.append(c[-1] * fmpq(2 * k - 3, 4 * k))
     >>> (s,) = nearest_singularities(c)
-    >>> round(s.location.real, 10), round(s.exponent, 6)
+    >>> round(s.location.real, 12), round(s.exponent, 12)
     (2.0, 0.5)
     """
     if len(c) < 10:
-        raise InputError(f"{len(c)} coefficients are too few to locate a singularity; give 10")
-    if count not in (None, 1, 2):
-        raise InputError(f"count={count!r}: choose 1, 2 or None")
-    floating = any(isinstance(x, float) for x in c)
-    fits = [fit for j in ((count,) if count else (1, 2)) if (fit := _fit(c, j, floating))]
-    if not fits:
-        raise InputError("no single singularity or pair explains these coefficients; give more")
-    return min(fits, key=lambda fit: fit[0].error / abs(fit[0].location))
+        raise InputError(f"{len(c)} coefficients are too few to locate a singularity; give 10 of "
+                         "them, not regularly zero")
+    exact = not any(isinstance(x, float) or (isinstance(x, arb) and x.rel_accuracy_bits() < 150)
+                    for x in c)
+    degrees = _DEGREES if exact else _FLOAT_DEGREES
+    with ctx.workprec(_BITS):
+        c = _numbers(c)
+        scale = _rough_radius(c)
+        c = [x * arb(scale) ** k for k, x in enumerate(c)]
+        fits = [zeros for degree in degrees for left_out in _LEFT_OUT
+                if len(c) - 2 - 2 * degree - left_out >= degree
+                and (zeros := _fit(c[:len(c) - left_out], degree)) is not None]
+    found = _agreed(fits)
+    if not found:
+        raise InputError("no singularity fits these coefficients: give more of them, or their "
+                         "function has none")
+    return [Singularity(z * scale, exponent, error * scale, exponent_error)
+            for z, exponent, error, exponent_error in found]
 
 
-def _fit(c, count, floating):
-    """The singularities of one count, with the spread over fits of neighbouring size."""
-    most = len(c) // (2 * count) - 1
-    depths = range(2, min(4 if floating else 14, most) + 1)
-    results = []
-    with mpmath.workdps(30 if floating else DIGITS):
-        c = [_mp(x) for x in c]
-        for depth in depths:
-            try:
-                here = [_solve(c, count, depth, len(c) - 1 - back) for back in (0, 1, 2)]
-            except ZeroDivisionError:
-                continue
-            location = here[0][0]
-            spread = max(abs(other[0] - location) for other in here[1:])
-            if results:
-                spread = max(spread, abs(results[-1][0] - location))
-                exponent_spread = max([abs(results[-1][1] - here[0][1])]
-                                      + [abs(o[1] - here[0][1]) for o in here[1:]])
-            else:
-                exponent_spread = max(abs(o[1] - here[0][1]) for o in here[1:])
-            results.append((location, here[0][1], spread, exponent_spread))
-    results = [r for r in results if abs(r[1]) < _STEEPEST and r[0] != 0]
-    if not results:
+def _numbers(c):
+    try:
+        c = [arb(x) for x in c]
+    except (TypeError, ValueError):
+        raise InputError("coefficients must be real: floats, fmpq or balls") from None
+    if not all(x.is_finite() for x in c):
+        raise InputError("coefficients must be finite; one of these is infinite or not a number")
+    return c
+
+
+def _rough_radius(c):
+    """The median of |c_k|^{-1/k} over the last third."""
+    radii = [(abs(x).mid().log() / k) for k, x in enumerate(c)
+             if k > 2 * len(c) // 3 and abs(x).mid() != 0]
+    if not radii:
+        raise InputError("the last third of the coefficients is zero: a polynomial has no "
+                         "singularity")
+    return float(np.exp(-np.median([float(x) for x in radii])))
+
+
+def _fit(c, degree):
+    """The zeros z of Q_1 in the upper half plane as pairs (z, s); None where the balls say little.
+
+    A singular system means that a lower degree is exact already; a change in the last bits makes
+    it regular and moves only the superfluous zeros.
+    """
+    rows = range(len(c) - 2 * degree - 1, len(c))
+    for change in (0, arb(2) ** (-_BITS // 3)):
+        c = [x * (1 + change * arb(k * k + 1).sin()).mid() for k, x in enumerate(c)]
+        matrix = arb_mat([[c[k - j] * (k - j) for j in range(1, degree + 1)]
+                          + [c[k - j] for j in range(degree + 1)] for k in rows])
+        try:
+            solution = matrix.solve(arb_mat([[-c[k] * k] for k in rows]))
+            break
+        except ZeroDivisionError:
+            continue
+    else:
         return None
-    location, exponent, spread, exponent_spread = min(results, key=lambda r: r[2] / abs(r[0]))
-    found = [Singularity(complex(location), float(exponent), float(spread), float(exponent_spread))]
-    if count == 2:
-        found.append(Singularity(complex(location).conjugate(), float(exponent), float(spread),
-                                 float(exponent_spread)))
-    return found
+    q = [solution[i, 0] for i in range(2 * degree + 1)]
+    if any(x.rel_accuracy_bits() < 30 and x.abs_upper() > 1e-20 for x in q):
+        return None
+    q = [0 if x.abs_upper() < 1e-25 else x.mid() for x in q]
+    q1, q0 = acb_poly([1] + q[:degree]), acb_poly(q[degree:])
+    slope, found = q1.derivative(), []
+    for z in np.roots([float(a.real) for a in q1.coeffs()[::-1]]):
+        if not (_NEAREST < abs(z) < _FARTHEST and z.imag > -1e-10):
+            continue
+        z = acb(complex(z))
+        for _ in range(4):                                  # Newton's method
+            z = (z - q1(z) / slope(z)).mid()
+        exponent = -q0(z) / (z * slope(z))
+        if z.is_finite() and exponent.is_finite():
+            found.append((complex(z), complex(exponent)))
+    return np.array(found, dtype=complex).reshape(-1, 2)
 
 
-def _solve(c, count, depth, last):
-    """(location, exponent) from the last count·depth equations that end with c_last."""
-    size = count * depth
-    matrix, right = mpmath.matrix(size), mpmath.matrix(size, 1)
-    for row in range(size):
-        k = last - 1 - row
-        right[row] = c[k + 1]
-        for i in range(count):
-            for power in range(depth):
-                matrix[row, i * depth + power] = c[k - i] / mpmath.mpf(k) ** power
-    solution = mpmath.lu_solve(matrix, right)
-    alpha = [solution[i * depth] for i in range(count)]
-    exponent = -solution[1] / alpha[0] - 1
-    if count == 1:
-        return 1 / alpha[0], exponent
-    root = mpmath.sqrt(mpmath.mpc(alpha[0] ** 2 + 4 * alpha[1]))
-    zeta = max(((alpha[0] + root) / 2, (alpha[0] - root) / 2), key=abs)
-    location = 1 / zeta
-    return mpmath.mpc(location.real, abs(location.imag)), exponent
-
-
-def _mp(x):
-    if hasattr(x, "p") and hasattr(x, "q"):
-        return mpmath.mpf(int(x.p)) / int(x.q)
-    if hasattr(x, "mid") and hasattr(x, "rad"):
-        mantissa, exponent = x.mid().man_exp()
-        return mpmath.mpf(int(mantissa)) * mpmath.mpf(2) ** int(exponent)
-    return mpmath.mpmathify(x)
+def _agreed(fits):
+    """(z, s, error, error of s) of every place where half of the fits have a zero."""
+    candidates = []
+    half = max(2, (len(fits) + 1) // 2)
+    for z, s in np.concatenate([*fits, np.empty((0, 2))]):
+        near = []
+        for fit in fits:
+            if len(fit):
+                i = np.abs(fit[:, 0] - z).argmin()
+                near.append((abs(fit[i, 0] - z), abs(fit[i, 1] - s)))
+        near = sorted(near)[:half]
+        if len(near) == half and near[-1][0] < _CLOSE * abs(z):
+            candidates.append((near[-1][0], max(change for _, change in near), complex(z), s))
+    chosen = []
+    for error, exponent_error, z, s in sorted(candidates, key=lambda c: c[:2]):
+        if all(abs(z - other[2]) > 3 * _CLOSE * abs(z) for other in chosen):
+            chosen.append((error, exponent_error, z, s))
+    result = []
+    for error, exponent_error, z, s in sorted(chosen, key=lambda c: abs(c[2])):
+        error = float(_SAFETY * error + 1e-15 * abs(z))
+        exponent_error = float(_SAFETY * exponent_error + abs(s.imag) + 1e-15)
+        places = [complex(z.real)] if abs(z.imag) <= error else [z, z.conjugate()]
+        result += [(place, float(s.real), error, exponent_error) for place in places]
+    return result

@@ -70,7 +70,7 @@ def difference(ax, sol, lam, dps=None, periods=2):
     ax.plot(t, error, color=style.GREEN if dps else style.VERMILION, linestyle="-", linewidth=1.2,
             label=f"{dps} digits" if dps else "double precision")
     ax.set(xlabel="$t$", ylabel=f"$x_{{{sol.order}}}(t) - x(t)$")
-    ax.legend(loc="upper left")
+    ax.legend(loc="lower right", bbox_to_anchor=(1, 1))
 
 
 def coefficients(ax, sol):

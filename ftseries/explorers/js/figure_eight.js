@@ -114,13 +114,15 @@ function build(stage) {
   }
 
   function listen() {
-    const t = stage.number("t", 0, 2 * Math.PI);
+    const t = stage.get("t") || 0;
+    const inside = stage.number("t", 0, 2 * Math.PI);
     if (t !== stage.get("clock")) {
       stage.set("playing", false);
       report(t);
-      time = t;
+      time = inside;
     } else if (t !== reported) {
-      time = reported = t;
+      reported = t;
+      time = inside;
     }
   }
 

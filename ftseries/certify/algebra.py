@@ -1,0 +1,102 @@
+r"""A rigorous sequence algebra: Fourier sums with a bound on what is missing.
+
+Formula.  For f = Σ A_n cos nτ + B_n sin nτ and a weight ν ≥ 1 let
+
+.. math::  \|f\|_ν = \sum_n (|A_n| + |B_n|)\, ν^n .
+
+Because cos a cos b = (cos(a-b) + cos(a+b))/2 and likewise for sines, ‖fg‖ ≤ ‖f‖ ‖g‖: the functions of
+finite norm are a Banach algebra, and ‖f‖ bounds |f| everywhere.  An :class:`Enclosure` (c, δ) stands
+for all f with ‖f - c‖ ≤ δ, where c is a finite sum whose coefficients are balls.
+
+The negative powers of a function w > 0 come from an approximation v of w^{-1/2}: with ε = 1 - v²w,
+
+.. math::  w^{-p/2} = v^p (1 - ε)^{-p/2}, \qquad
+           \|(1-ε)^{-p/2} - 1\| \le (1 - \|ε\|)^{-p/2} - 1 \quad\text{if } \|ε\| < 1.
+"""
+
+from functools import reduce
+
+from flint import arb
+
+from ..errors import FTSeriesError
+from ..laurent import BallRing
+
+__all__ = ["Enclosure", "NotProved", "largest_of", "norm", "truncate", "upper"]
+
+RING = BallRing()
+
+
+class NotProved(FTSeriesError):
+    """The inequalities of a proof do not hold for these data; nothing is claimed."""
+
+
+def upper(x):
+    """The upper end of a ball, as an exact number."""
+    return x.abs_upper() if isinstance(x, arb) else arb(x)
+
+
+def largest_of(values):
+    """An upper bound of all of them, as an exact number."""
+    return reduce(lambda a, b: upper(a.max(b)), values, arb(0))
+
+
+def norm(trig, nu):
+    """A bound of ‖·‖_ν of a finite sum."""
+    total = arb(0)
+    for (_, n), c in trig.modes().items():
+        total += upper(c) * nu**n
+    return upper(total)
+
+
+def truncate(trig, top, nu):
+    """(sum of the modes up to ``top``, norm of the rest)."""
+    modes = trig.modes()
+    rest = {mode: c for mode, c in modes.items() if mode[1] > top}
+    return (RING.from_modes({mode: c for mode, c in modes.items() if mode[1] <= top}),
+            norm(RING.from_modes(rest), nu))
+
+
+class Enclosure:
+    """All functions within ``radius`` of the finite sum ``center``, in the norm with weight ν."""
+
+    def __init__(self, center, radius, nu):
+        self.center, self.radius, self.nu = center, upper(radius), nu
+
+    def norm(self):
+        return upper(norm(self.center, self.nu) + self.radius)
+
+    def __add__(self, other):
+        return Enclosure(self.center + other.center, self.radius + other.radius, self.nu)
+
+    def __mul__(self, other):
+        if not isinstance(other, Enclosure):
+            number = other if isinstance(other, arb) else arb(other)
+            return Enclosure(self.center.scale(number), self.radius * upper(number), self.nu)
+        radius = (norm(self.center, self.nu) * other.radius
+                  + norm(other.center, self.nu) * self.radius + self.radius * other.radius)
+        return Enclosure(self.center * other.center, radius, self.nu)
+
+    def cut(self, top):
+        """The same set, or a larger one, with a center of at most ``top`` modes."""
+        center, rest = truncate(self.center, top, self.nu)
+        return Enclosure(center, self.radius + rest, self.nu)
+
+    def negative_power(self, p, v):
+        """w^{-p/2} of this w, from an approximation ``v`` (a finite sum) of w^{-1/2}.
+
+        Raises
+        ------
+        NotProved
+            v is too poor: ‖1 - v²w‖ is not below 1.
+        """
+        one = Enclosure(RING.from_modes({(0, 0): arb(1)}), 0, self.nu)
+        root = Enclosure(v, 0, self.nu)
+        defect = (one + root * root * self * -1).norm()
+        if not defect < 1:
+            raise NotProved(f"not proved: ‖1 - v²w‖ = {float(defect):.3g} is not below 1; give more "
+                            "modes or a better approximation")
+        power = root
+        for _ in range(p - 1):
+            power = power * root
+        spread = upper((1 - defect) ** (-arb(p) / 2) - 1)
+        return Enclosure(power.center, power.norm() * spread, self.nu)

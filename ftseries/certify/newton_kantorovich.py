@@ -1,0 +1,65 @@
+r"""The Newton-Kantorovich theorem with a radii polynomial.
+
+Theorem.  Let F be twice differentiable near ū, A injective, and
+
+.. math::  \|A F(ū)\| \le Y, \quad \|I - A\,DF(ū)\| \le Z_1, \quad
+           \|A\,(DF(ū + h) - DF(ū))\| \le Z_2 \|h\| \text{ for } \|h\| \le r_*.
+
+If p(r) = Y - (1 - Z_1) r + Z_2 r²/2 < 0 for some r ≤ r_*, then F has exactly one zero within r of ū.
+(u ↦ u - A F(u) maps that ball into itself and contracts it; for one r with p(r) < 0 and
+Z_1 + Z_2 r < 1.)  Every inequality is decided with balls.
+"""
+
+from dataclasses import dataclass
+
+from flint import arb
+
+from .algebra import NotProved, upper
+
+__all__ = ["Bounds", "radius"]
+
+
+@dataclass(frozen=True)
+class Bounds:
+    """The constants Y, Z₁, Z₂ of a proof, valid up to the radius r*."""
+
+    y: arb
+    z1: arb
+    z2: arb
+    largest: arb
+
+
+def radius(bounds):
+    """The interval (r₋, r₊) of radii for which the theorem holds, as exact numbers.
+
+    r₋ says how close the true solution is, r₊ how far it is alone.
+
+    Examples
+    --------
+    >>> from flint import arb
+    >>> low, high = radius(Bounds(arb("1e-3"), arb("0.1"), arb(1), arb("0.5")))
+    >>> 0.00111 < low < 0.00112, high == 0.5
+    (True, True)
+
+    Raises
+    ------
+    NotProved
+        No such radius; the message shows the constants.
+    """
+    y, z1, z2 = upper(bounds.y), upper(bounds.z1), upper(bounds.z2)
+    shown = f"Y = {float(y):.3g}, Z₁ = {float(z1):.3g}, Z₂ = {float(z2):.3g}"
+    gain = 1 - z1
+    if not gain > 0:
+        raise NotProved(f"not proved: {shown}; Z₁ must be below 1")
+    discriminant = gain**2 - 2 * y * z2
+    if not discriminant > 0:
+        raise NotProved(f"not proved: {shown}; (1 - Z₁)² is not above 2 Y Z₂")
+    low = upper(2 * y / (gain + discriminant.sqrt()) * (1 + arb(2) ** -40))
+    high = bounds.largest
+    if z2 > 0:
+        limit = (gain / z2 * (1 - arb(2) ** -40)).lower()
+        high = limit if limit < high else high
+    if not low < high or not y - gain * low + z2 * low**2 / 2 < 0 or not z1 + z2 * low < 1:
+        raise NotProved(f"not proved: {shown}; the radius {float(low):.3g} exceeds r* = "
+                        f"{float(bounds.largest):.3g}")
+    return low, high

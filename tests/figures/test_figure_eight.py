@@ -1,0 +1,141 @@
+"""The pictures of the figure eight show the orbit, its triangle, the zeros and the distances."""
+
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import draw_eight
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+import ftseries as fts
+from ftseries import figure_eight as eight
+from ftseries.figures import figure_eight as pictures
+from ftseries.figures import style
+from ftseries.references import newton
+
+PAPER_LAM = 2.07552  # (E7)
+ASSET = Path(__file__).parents[2] / "book" / "assets" / "eight.svg"
+
+
+@pytest.fixture(scope="module")
+def sol():
+    return fts.solve(fts.FigureEight(), order=30)
+
+
+@pytest.fixture
+def ax():
+    with style.context():
+        figure = Figure()
+        yield figure.subplots()
+        figure.canvas.draw()
+
+
+def curves(ax):
+    """Every line as complex numbers x + iy."""
+    return [np.asarray(x, float) + 1j * np.asarray(y, float)
+            for x, y in (line.get_data() for line in ax.lines)]
+
+
+def labelled(ax, label):
+    (line,) = (line for line in ax.lines if line.get_label() == label)
+    return line.get_data()
+
+
+def test_choreography_joins_the_line_and_the_isosceles_triangle(ax):
+    pictures.choreography(ax, newton.figure_eight)
+    orbit, line, *dots = curves(ax)
+    triangle = dots.pop(3)
+    assert np.ptp(orbit.real) > 3 * np.ptp(orbit.imag)                   # lying
+    # Rounding of the reference is 1e-14.
+    assert abs(line[0] + line[1]) < 1e-13 and abs(line[2]) < 1e-13
+    sides = abs(np.diff(triangle))                                       # 1'2', 2'3', 3'1'
+    assert abs(sides[0] - sides[2]) < 1e-13 and sides[1] < sides[0] / 2
+    assert np.allclose(np.ravel(dots), [*line[:3], *triangle[:3]], rtol=0, atol=0)
+    assert [text.get_text() for text in ax.texts] == ["$1$", "$2$", "$3$", "$1'$", "$2'$", "$3'$"]
+
+
+def test_orbits_are_closed_and_upright(ax, sol):
+    t = np.linspace(0, 2 * np.pi, 60, endpoint=False)
+    orbit = eight.positions(sol, t, PAPER_LAM)[2]
+    pictures.orbits(ax, {"ours": orbit, "true": newton.figure_eight(t)[2]})
+    first, second = curves(ax)
+    assert first[0] == first[-1] and np.ptp(first.imag) > 3 * np.ptp(first.real)
+    assert np.allclose(first, second, rtol=0, atol=1.6e-3)               # the paper's distance
+    assert ax.get_aspect() == 1
+
+
+def test_closure_crosses_zero_at_the_printed_value(ax, sol):
+    lam = np.linspace(0, 2.4, 241)
+    pictures.closure(ax, sol, range(8, 31, 2), lam)
+    assert len(ax.lines) == 12 + 1                                       # and the axis
+    for order in (8, 30):
+        x, y = labelled(ax, f"order {order}")
+        crossing = np.flatnonzero(y[:-1] * y[1:] < 0)[0]
+        zero = np.interp(0, -y[crossing:crossing + 2], x[crossing:crossing + 2])
+        assert abs(zero - PAPER_LAM) < 2.5e-3                            # scatter of (E7)
+        assert abs(y[0] - 3 * 3 ** (1 / 3)) < 1e-14
+    (inset,) = ax.child_axes
+    low, high = inset.get_xlim()
+    assert low < PAPER_LAM < high
+
+
+def test_zeros_show_what_they_are_given(ax):
+    found = {6: 2.09531, 8: 2.07759}
+    pictures.zeros(ax, found, PAPER_LAM, newton.figure_eight_lambda())
+    x, y = labelled(ax, r"$\lambda_n$")
+    assert dict(zip(x, y, strict=True)) == found
+    heights = {line.get_label(): line.get_ydata()[0] for line in ax.lines}
+    assert heights[r"mean $\lambda_1$"] == PAPER_LAM
+    assert round(heights[r"true orbit $\lambda_0$"], 5) == 2.07568
+
+
+def test_distance_is_in_thousandths(ax, sol):
+    t = np.linspace(0, 2 * np.pi, 241)
+    gap = np.linalg.norm(eight.positions(sol, t, PAPER_LAM) - newton.figure_eight(t), axis=0)
+    pictures.distance(ax, t, gap)
+    (curve,) = curves(ax)
+    assert 1.6 <= curve.imag.max() < 1.7                                 # printed: 1.6e-3
+    assert ax.get_xlim() == (0, 2 * np.pi)
+
+
+def test_chain_of_vectors_leaves_the_gap(ax):
+    pictures.head_to_tail(ax, [1 + 1j, 1 - 1j, -1.5], origin=2)
+    x, y = labelled(ax, r"gap $\mathbf{S}$")
+    assert np.allclose(x, [2, 2.5]) and np.allclose(y, 0)
+    arrows = [text for text in ax.texts if text.arrow_patch is not None]
+    assert [arrow.xy for arrow in arrows] == [(3, 1), (4, 0), (2.5, 0)]
+
+
+def test_drift_and_convergence_are_logarithmic(ax):
+    pictures.drift(ax, [0.5, 1, 2], {"energy": [1, 1e-2, 1e-4]})
+    x, y = labelled(ax, "energy")
+    assert np.array_equal(x, [0.5, 1, 2]) and np.array_equal(y, [1, 1e-2, 1e-4])
+    assert ax.get_yscale() == "log"
+    ax.clear()
+    pictures.convergence(ax, [6, 8], [1e-2, 1e-3])
+    assert ax.get_yscale() == "log" and ax.get_xlabel() and ax.get_ylabel()
+
+
+def test_emblem_puts_each_body_on_the_eight_at_the_end_of_its_trail(ax):
+    pictures.emblem(ax, newton.figure_eight)
+    orbit, *bodies = curves(ax)
+    for body, trail in zip(bodies, ax.collections, strict=True):
+        # Between two of 1200 samples of the curve lie 2π/1200 · speed, about 0.007.
+        assert abs(orbit - body).min() < 0.007
+        last = trail.get_segments()[-1][-1]
+        assert body[0] == last[0] + 1j * last[1]
+    assert not ax.axison
+
+
+def test_picture_of_the_readme_is_the_one_that_the_tool_draws(tmp_path):
+    draw_eight.draw(tmp_path / "eight.svg")
+    fresh, stored = (numbers(path) for path in (tmp_path / "eight.svg", ASSET))
+    # Six decimals are written; a point of a picture 460 wide needs fewer on other machines.
+    assert fresh.shape == stored.shape and abs(fresh - stored).max() < 1e-3
+
+
+def numbers(path):
+    """All coordinates of an SVG's paths."""
+    words = " ".join(node.get("d", "") for node in ET.parse(path).iter()).split()
+    return np.array([float(word) for word in words if word[-1].isdigit()])
