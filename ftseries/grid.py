@@ -74,7 +74,10 @@ class FloatRing(Ring):
         return abs(number) <= 1e-9 * scale
 
     def root(self, value, alpha):
-        return float(value) ** float(rational(alpha))
+        alpha = rational(alpha)
+        if value < 0 and alpha.q != 1:
+            raise InputError(f"({value})^({alpha}), a root of a negative number, is not real")
+        return value ** (int(alpha.p) / int(alpha.q))
 
     def size(self, modes):
         return max(map(abs, modes.values()), default=0.0)

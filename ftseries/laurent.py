@@ -219,7 +219,11 @@ class BallRing(_LaurentRing):
 
     def root(self, value, alpha):
         alpha = rational(alpha)
-        return value ** arb(alpha)
+        root = value ** arb(alpha)
+        if not root.is_finite():
+            raise InputError(f"({value})^({alpha}), a root of a negative number or a power of a ball "
+                             "with zero inside, is not real and finite; raise the precision")
+        return root
 
     def is_zero(self, number):
         return number.is_zero() if isinstance(number, arb) else number == 0

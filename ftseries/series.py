@@ -137,9 +137,9 @@ class Series:
 
     def diff(self, times=1):
         """The derivative d/dτ, or one of higher order."""
-        if times not in _DERIVATIVES:
+        if times not in DERIVATIVES:
             raise InputError(f"a derivative of order {times!r} is not offered; use 1 or 2")
-        return ModeMultiple(self, _DERIVATIVES[times])
+        return ModeMultiple(self, DERIVATIVES[times])
 
     def shift(self, fraction):
         """The series at τ + 2π·fraction, for a rational fraction of a period."""
@@ -177,7 +177,8 @@ def _neighbours(bodies):
     return lambda n, ring: (bodies - 1 if n % bodies == 0 else -1, 0)
 
 
-_DERIVATIVES = {1: lambda n, ring: (0, n), 2: lambda n, ring: (-n * n, 0)}
+#: how d/dτ and d²/dτ² multiply the modes
+DERIVATIVES = {1: lambda n, ring: (0, n), 2: lambda n, ring: (-n * n, 0)}
 
 
 class Unknown(Series):

@@ -23,6 +23,7 @@ import re
 import sympy as sp
 
 from .errors import InputError
+from .first_steps import first_steps
 from .problem import Field, Problem, Scalar
 from .trig import rational
 
@@ -86,7 +87,6 @@ class Equations(Problem):
         self._translated = {name: self._translate(e, name)[1] for name, e in
                             self.expressions.items()} if seed is None else None
         if seed is None:
-            from .first_steps import first_steps
             seed = first_steps(self, choice)
         self._set_seed({_name(key): value for key, value in seed.items()})
         self._translated = {name: self._translate(e, name)[1]

@@ -15,7 +15,7 @@ from ftseries.grid import FloatRing
 from ftseries.laurent import BallRing, PolynomialRing, RationalRing
 from ftseries.series import Expansion, cos, exp, sin
 
-ORDER = 5
+ORDER = 4
 
 RINGS = {"exact": RationalRing, "polynomial": lambda: PolynomialRing(("mu",)), "ball": BallRing,
          "float": lambda: FloatRing(degree=ORDER + 1, order=ORDER)}
@@ -288,7 +288,7 @@ def test_functions_by_their_power_series(ring, u):
     u = make(Expansion(ring), u)
     terms = [u**k / factorial(k) for k in range(ORDER + 1)]
     equal(exp(u), sum(terms[1:], terms[0]))
-    equal(sin(u), terms[1] - terms[3] + terms[5])
+    equal(sin(u), terms[1] - terms[3])
     equal(cos(u), terms[0] - terms[2] + terms[4])
 
 
@@ -344,8 +344,8 @@ def test_changed_coefficients_are_forgotten(ring, start, changes):
 def test_an_unset_unknown_is_zero(ring):
     x = Expansion(ring).unknown()
     x.set(3, ring.from_modes({(0, 1): ring.number(1)}))
-    assert [x[k].modes() for k in range(3)] == [{}, {}, {}]
-    assert x[4].modes() == {} and (0, 1) in x[3].modes()
+    assert not any(c for k in (0, 1, 2, 4) for c in x[k].modes().values())
+    assert x[3].modes()[0, 1] == pytest.approx(1) if ring.name == "float" else x[3].modes()[0, 1] == 1
 
 
 def test_a_long_sum_with_its_deep_part_kept():

@@ -5,9 +5,9 @@ of convergence; :mod:`~ftseries.analysis.pade` sums beyond it; :mod:`~ftseries.a
 changes the variable.
 """
 
-from .maps import compose, euler_map
+from .maps import compose, euler_map, revert
 from .pade import Pade, pade
 from .singularities import Estimate, Singularity, domb_sykes, nearest_singularities, root_test, thin
 
 __all__ = ["Estimate", "Pade", "Singularity", "compose", "domb_sykes", "euler_map",
-           "nearest_singularities", "pade", "root_test", "thin"]
+           "nearest_singularities", "pade", "revert", "root_test", "thin"]

@@ -8,15 +8,17 @@ is a *defect*: it belongs to the rounding of the coefficients or to chance, not 
 (G. A. Baker and P. Graves-Morris, Padé Approximants, 1996.)
 """
 
-import mpmath
 import numpy as np
-from flint import arb, arb_mat, arb_poly, ctx, fmpq, fmpq_mat
+from flint import acb, acb_poly, arb, arb_mat, arb_poly, ctx, fmpq, fmpq_mat
 
 from ..errors import InputError
+from .singularities import _numbers
 
 __all__ = ["Pade", "pade"]
 
-_MOST_BITS = 2**15
+_BITS, _MOST_BITS = 256, 2**14
+#: the balls of p and q must be this good, or below the second bound
+_GOOD, _TINY = 80, 2.0**-200
 
 
 class Pade:
@@ -27,25 +29,45 @@ class Pade:
     numerator, denominator : numpy.ndarray
         Coefficients of p and q, lowest first, as floats.
     degrees : tuple
-        (L, M) as found; M may be lower than asked in a singular block.
+        (L, M) as found.
+    asked : tuple
+        (L, M) as asked; where it differs, that entry lies in a singular block of the table.
     """
 
-    def __init__(self, numerator, denominator):
-        self.exact = numerator, denominator
+    def __init__(self, numerator, denominator, asked):
+        self.exact = [x.mid() for x in numerator], [x.mid() for x in denominator]
         self.numerator = np.array([float(x) for x in numerator])
         self.denominator = np.array([float(x) for x in denominator])
-        self.degrees = len(numerator) - 1, len(denominator) - 1
+        self.degrees, self.asked = (len(numerator) - 1, len(denominator) - 1), asked
+        self._p, self._q = arb_poly(self.exact[0]), arb_poly(self.exact[1])
 
     def __repr__(self):
-        return f"<Padé approximant [{self.degrees[0]}/{self.degrees[1]}]>"
+        asked = "" if self.asked == self.degrees else \
+            f", for [{self.asked[0]}/{self.asked[1]}] in a singular block"
+        return f"<Padé approximant [{self.degrees[0]}/{self.degrees[1]}]{asked}>"
 
     def __call__(self, z):
-        """The value; infinite at a pole."""
+        """The value; infinite at a pole.
+
+        A single number is evaluated in ball arithmetic and rounded once.  Arrays are evaluated in
+        float64, which loses the digits that cancel in q.
+        """
         z = np.asarray(z)
+        if z.ndim == 0:
+            return self._value(z[()])
         with np.errstate(divide="ignore", invalid="ignore"):
-            value = (np.polynomial.polynomial.polyval(z, self.numerator)
-                     / np.polynomial.polynomial.polyval(z, self.denominator))
-        return value[()]
+            return (np.polynomial.polynomial.polyval(z, self.numerator)
+                    / np.polynomial.polynomial.polyval(z, self.denominator))
+
+    def _value(self, z):
+        real = not np.iscomplexobj(z)
+        with ctx.workprec(_BITS):
+            z = arb(float(z)) if real else acb(complex(z))
+            q = self._q(z)
+            if abs(q) < arb(2) ** (-_BITS // 2):
+                return np.float64(np.inf)
+            value = self._p(z) / q
+            return np.float64(value) if real else np.complex128(complex(value))
 
     def poles(self):
         """The zeros of q, nearest first, as complex numbers."""
@@ -55,21 +77,29 @@ class Pade:
         """The zeros of p, nearest first."""
         return self._roots(0)
 
-    def defects(self, distance=1e-6):
-        """The poles that have a zero within ``distance`` times their modulus."""
+    def defects(self, distance=1e-4):
+        """The poles that have a zero within ``distance`` times their modulus.
+
+        Of 1/(1 - z/2) + 1e-9/(1 - z) the pole at 1 is next to nothing, and met by a zero:
+
+        >>> approximant = pade([fmpq(1, 2**k) + fmpq(1, 10**9) for k in range(4)], 1, 2)
+        >>> approximant.poles().real.round(6), len(approximant.defects())
+        (array([1., 2.]), 1)
+        """
         zeros = self.zeros()
         return [pole for pole in self.poles()
                 if zeros.size and np.abs(zeros - pole).min() < distance * abs(pole)]
 
     def _roots(self, which):
-        coefficients = [mpmath.mpf(x.mid().str(60, radius=False)) for x in self.exact[which]]
-        while coefficients and coefficients[-1] == 0:
-            coefficients.pop()
-        if len(coefficients) < 2:
-            return np.array([], dtype=complex)
-        with mpmath.workdps(60):
-            roots = mpmath.polyroots(coefficients[::-1], maxsteps=500, extraprec=400)
-        return np.array(sorted((complex(r) for r in roots), key=lambda r: (abs(r), r.imag)))
+        with ctx.workprec(_BITS):
+            polynomial = acb_poly(self.exact[which])
+            if polynomial.degree() < 1:
+                return np.array([], dtype=complex)
+            try:
+                roots = polynomial.roots(tol=2.0**-60, maxprec=_MOST_BITS)
+            except ValueError:                              # a root of higher multiplicity
+                roots = np.roots([complex(x) for x in polynomial.coeffs()[::-1]])
+        return np.array(sorted(map(complex, roots), key=lambda r: (abs(r), r.imag)))
 
 
 def pade(c, upper=None, lower=None):
@@ -78,18 +108,17 @@ def pade(c, upper=None, lower=None):
     Parameters
     ----------
     c : sequence
-        Taylor coefficients: floats, fmpq, or balls.
+        Taylor coefficients: floats, fmpq, or balls; of a ball its middle.
     upper, lower : int, optional
         L and M; left out, the diagonal one that uses all coefficients.
 
     Raises
     ------
     InputError
-        Fewer than L + M + 1 coefficients.
+        Fewer than L + M + 1 coefficients, or one that is not finite.
 
     Examples
     --------
-    >>> from flint import fmpq
     >>> log = [fmpq(0)] + [fmpq((-1) ** (k + 1), k) for k in range(1, 21)]     # ln(1 + z)
     >>> bool(abs(pade(log)(1.0) - np.log(2)) < 1e-14)
     True
@@ -101,46 +130,55 @@ def pade(c, upper=None, lower=None):
     if total < 0 or min(upper, lower) < 0 or upper + lower > total:
         raise InputError(f"[{upper}/{lower}] needs {max(upper + lower + 1, 1)} coefficients, "
                          f"not {len(c)}")
-    c = [x if isinstance(x, (fmpq, arb)) else arb(x) for x in c[:upper + lower + 1]]
-    while True:
-        found = _solve(c, upper, lower)
-        if found is not None:
-            return Pade(*found)
+    c, asked = list(c[:upper + lower + 1]), (upper, lower)
+    _numbers(c)                                             # refuses what is not finite
+    while (found := _solve(c, upper, lower)) is None:
         lower -= 1
+    return Pade(*found, asked)
 
 
 def _solve(c, upper, lower):
     """Coefficients of p and q as balls, or None in a singular block."""
-    bits, exact = 256, all(isinstance(x, fmpq) or x.is_exact() for x in c)
+    bits = _BITS
     while bits <= _MOST_BITS:
         with ctx.workprec(bits):
-            balls = [arb(x) for x in c]
+            balls = [arb(x).mid() if isinstance(x, arb) else arb(x) for x in c]
             q = _denominator(balls, upper, lower)
             if q is not None:
                 p = (arb_poly(balls) * arb_poly(q)).truncate(upper + 1).coeffs()
                 p += [arb(0)] * (upper + 1 - len(p))
-                if not exact or all(x.rel_accuracy_bits() > 80 or x.abs_upper() < 2**-200
-                                    for x in p + q):
+                if all(x.rel_accuracy_bits() > _GOOD or x.abs_upper() < _TINY for x in p + q):
                     return p, q
-            elif all(isinstance(x, fmpq) for x in c) and _hankel(c, upper, lower).det() == 0:
-                return None
+        if q is None and bits == _BITS and _singular(c, upper, lower):
+            return None
         bits *= 2
     return None
 
 
-def _hankel(c, upper, lower):
-    rows = [[c[upper + i - j] if upper + i >= j else fmpq(0) for j in range(1, lower + 1)]
-            for i in range(1, lower + 1)]
-    return fmpq_mat(lower, lower, [x for row in rows for x in row])
-
-
 def _denominator(c, upper, lower):
+    """q_0 … q_M, or None where the balls cannot tell the system from a singular one."""
     if lower == 0:
         return [arb(1)]
-    at = [[c[upper + i - j] if upper + i >= j else arb(0) for j in range(lower + 1)]
-          for i in range(1, lower + 1)]
+    table = _hankel(c, upper, lower)
     try:
-        solution = arb_mat([row[1:] for row in at]).solve(arb_mat([[-row[0]] for row in at]))
+        solution = arb_mat([row[1:] for row in table]).solve(arb_mat([[-row[0]] for row in table]))
     except ZeroDivisionError:
         return None
     return [arb(1)] + [solution[i, 0] for i in range(lower)]
+
+
+def _singular(c, upper, lower):
+    """Is the system singular in exact arithmetic?"""
+    exact = [x if isinstance(x, fmpq) else _rational(x) for x in c]
+    rows = [x for row in _hankel(exact, upper, lower) for x in row[1:]]
+    return fmpq_mat(lower, lower, rows).det() == 0
+
+
+def _rational(x):
+    mantissa, exponent = arb(x).mid().man_exp()
+    return fmpq(mantissa) * fmpq(2) ** int(exponent)
+
+
+def _hankel(c, upper, lower):
+    return [[c[upper + i - j] if upper + i >= j else 0 * c[0] for j in range(lower + 1)]
+            for i in range(1, lower + 1)]

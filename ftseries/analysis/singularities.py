@@ -29,7 +29,7 @@ _DEGREES, _FLOAT_DEGREES = (1, 2, 3, 4, 6, 8, 10, 12, 14, 16, 18, 20), (1, 2, 3,
 _LEFT_OUT = (0, 1, 2)
 _BITS = 700
 #: fits agree when their zeros are this close, relative to the distance from 0
-_CLOSE = 0.04
+_CLOSE = 0.02
 #: zeros are looked for between these multiples of the radius that the root test suggests
 _NEAREST, _FARTHEST = 0.1, 1.6
 #: the error given, in units of the distance within which half of the fits lie
@@ -183,7 +183,7 @@ def _fit(c, degree):
     """
     rows = range(len(c) - 2 * degree - 1, len(c))
     for change in (0, arb(2) ** (-_BITS // 3)):
-        c = [x * (1 + change * arb(k * k + 1).sin()).mid() for k, x in enumerate(c)]
+        c = [(x * (1 + change * arb(k * k + 1).sin())).mid() for k, x in enumerate(c)]
         matrix = arb_mat([[c[k - j] * (k - j) for j in range(1, degree + 1)]
                           + [c[k - j] for j in range(degree + 1)] for k in rows])
         try:
@@ -226,7 +226,7 @@ def _agreed(fits):
             candidates.append((near[-1][0], max(change for _, change in near), complex(z), s))
     chosen = []
     for error, exponent_error, z, s in sorted(candidates, key=lambda c: c[:2]):
-        if all(abs(z - other[2]) > 3 * _CLOSE * abs(z) for other in chosen):
+        if all(abs(z - other[2]) > 5 * _CLOSE * abs(z) for other in chosen):
             chosen.append((error, exponent_error, z, s))
     result = []
     for error, exponent_error, z, s in sorted(chosen, key=lambda c: abs(c[2])):

@@ -4,9 +4,10 @@ Formula.  For f = Σ A_n cos nτ + B_n sin nτ and a weight ν ≥ 1 let
 
 .. math::  \|f\|_ν = \sum_n (|A_n| + |B_n|)\, ν^n .
 
-Because cos a cos b = (cos(a-b) + cos(a+b))/2 and likewise for sines, ‖fg‖ ≤ ‖f‖ ‖g‖: the functions of
-finite norm are a Banach algebra, and ‖f‖ bounds |f| everywhere.  An :class:`Enclosure` (c, δ) stands
-for all f with ‖f - c‖ ≤ δ, where c is a finite sum whose coefficients are balls.
+Because cos a cos b = (cos(a-b) + cos(a+b))/2 and likewise for sines, ‖fg‖ ≤ ‖f‖ ‖g‖: the
+functions of finite norm are a Banach algebra, and ‖f‖ bounds |f| everywhere.  An
+:class:`Enclosure` (c, δ) stands for all f with ‖f - c‖ ≤ δ, where c is a finite sum whose
+coefficients are balls.
 
 The negative powers of a function w > 0 come from an approximation v of w^{-1/2}: with ε = 1 - v²w,
 
@@ -93,8 +94,8 @@ class Enclosure:
         root = Enclosure(v, 0, self.nu)
         defect = (one + root * root * self * -1).norm()
         if not defect < 1:
-            raise NotProved(f"not proved: ‖1 - v²w‖ = {float(defect):.3g} is not below 1; give more "
-                            "modes or a better approximation")
+            raise NotProved(f"not proved: ‖1 - v²w‖ = {float(defect):.3g} is not below 1; give "
+                            "more modes or a better approximation")
         power = root
         for _ in range(p - 1):
             power = power * root

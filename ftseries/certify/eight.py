@@ -3,7 +3,7 @@ r"""Theorem: the figure eight exists, and the Fourier-Taylor series is this clos
 Formula.  Let Z = X + iY = r_12 / 3^{1/3}, X even and Y odd cosine series of t without the modes
 3, 6, 9, … (so S = 0) and mode 0.  Newton's equations are F(Z) = 0 with
 
-.. math::  F_n = n^2 Z_n - [Z G]_n, \qquad G = W^{-3/2}, \quad W = X^2 + Y^2, \qquad n = 1, 2, 4, 5, …
+.. math::  F_n = n^2 Z_n - [Z G]_n, \quad G = W^{-3/2}, \quad W = X^2 + Y^2, \quad n = 1, 2, 4, 5, …
 
 The unknown u_n is the coefficient of cos nt in X (n even) or Y (n odd), with the norm of
 :mod:`ftseries.certify.algebra`.  DF(u) h = n² h - [M h] with the multiplications
@@ -20,7 +20,8 @@ import numpy as np
 from flint import arb, arb_mat, ctx
 
 from ..errors import InputError
-from ..problems.figure_eight import FigureEight
+from ..problems.figure_eight import FigureEight, closure_zero
+from ..series import DERIVATIVES
 from .algebra import RING, Enclosure, NotProved, largest_of, norm, upper
 from .newton_kantorovich import Bounds, radius
 
@@ -96,7 +97,6 @@ def _center(orbit, modes):
     t = 2 * np.pi * np.arange(points) / points
     lam = getattr(orbit, "lam", None)
     if lam is None:
-        from ..problems.figure_eight import closure_zero
         lam = closure_zero(orbit)
     z = (orbit.evaluate("r", t, lam=lam) / 3 ** (1 / 3)
          * np.exp(1j * orbit.evaluate("phi", t, lam=lam)))
@@ -246,5 +246,4 @@ def _lam(x, y, w, v, distance):
 def _derivative(part):
     if not part.radius == 0:
         raise NotProved("not proved: the derivative of an enclosure needs a finite sum")
-    from ..series import _DERIVATIVES
-    return Enclosure(part.center.multiply_modes(_DERIVATIVES[1]), 0, part.nu)
+    return Enclosure(part.center.multiply_modes(DERIVATIVES[1]), 0, part.nu)

@@ -5,8 +5,8 @@ Theorem.  Let F be twice differentiable near ū, A injective, and
 .. math::  \|A F(ū)\| \le Y, \quad \|I - A\,DF(ū)\| \le Z_1, \quad
            \|A\,(DF(ū + h) - DF(ū))\| \le Z_2 \|h\| \text{ for } \|h\| \le r_*.
 
-If p(r) = Y - (1 - Z_1) r + Z_2 r²/2 < 0 for some r ≤ r_*, then F has exactly one zero within r of ū.
-(u ↦ u - A F(u) maps that ball into itself and contracts it; for one r with p(r) < 0 and
+If p(r) = Y - (1 - Z_1) r + Z_2 r²/2 < 0 for some r ≤ r_*, then F has exactly one zero within r of
+ū.  (u ↦ u - A F(u) maps that ball into itself and contracts it; for one r with p(r) < 0 and
 Z_1 + Z_2 r < 1.)  Every inequality is decided with balls.
 """
 

@@ -11,7 +11,7 @@ from ftseries.explorers import base
 
 def read(text):
     """A displayed number as SymPy reads it."""
-    for sign, code in {"∛3": "3**Rational(1,3)", "√3": "sqrt(3)", "^": "**", "·": "*", "−": "-",
+    for sign, code in {"∛3": "3**Rational(1,3)", "√6": "sqrt(6)", "√3": "sqrt(3)", "^": "**", "·": "*", "−": "-",
                        "μ": "mu"}.items():
         text = text.replace(sign, code)
     return sp.sympify(text)

@@ -10,12 +10,13 @@ BOOK = Path(__file__).parents[2] / "book"
 PAGE = (BOOK / "paper_and_book.md").read_text(encoding="utf-8")
 
 #: every label of sections 2 to 4 of the paper's source, in its order
-EQUATIONS = """
-    C1 C2 C3 C3a C4a C4b C5a C5b C6a C6b C6c C7a C7b C8 C9a C9b C10 C11 C12
-    M1 M2a M2b M3
-    E0 E_CM1 E_CM2 E1a E1b E2 E3a E3b E4 E4a E5a E5b E5c E5d E_lambda E_lambda_0
-    E6a E6b E6c E6d E7a E7b E7
-""".split()
+EQUATIONS = [
+    "C1", "C2", "C3", "C3a", "C4a", "C4b", "C5a", "C5b", "C6a", "C6b", "C6c", "C7a", "C7b",
+    "C8", "C9a", "C9b", "C10", "C11", "C12",
+    "M1", "M2a", "M2b", "M3",
+    "E0", "E_CM1", "E_CM2", "E1a", "E1b", "E2", "E3a", "E3b", "E4", "E4a", "E5a", "E5b", "E5c",
+    "E5d", "E_lambda", "E_lambda_0", "E6a", "E6b", "E6c", "E6d", "E7a", "E7b", "E7",
+]
 FIGURES = {
     "FIGPW": "fig-potential",
     "FIGA1": "fig-oscillation",

@@ -135,7 +135,7 @@ const EDGE = { color: "#ffffff", width: 2.2, dash: [7, 4], ground: "#434e6c" };
 
 /** The radius of convergence at μ, between the points where Python has computed it. */
 function edge({ mu, radius }, at) {
-  const i = Math.min(mu.length - 2, Math.max(0, mu.findIndex((m) => m > at) - 1));
+  const i = Math.max(0, mu.findLastIndex((m, j) => m <= at && j < mu.length - 1));
   const part = (at - mu[i]) / (mu[i + 1] - mu[i]);
   return radius[i] + part * (radius[i + 1] - radius[i]);
 }
