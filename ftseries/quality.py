@@ -5,20 +5,28 @@ z = Λ^step with Λ = λ / lam_scale, where step is 2 for a series in λ², so t
 sequence is regularly zero.
 """
 
+import warnings
+
 import numpy as np
+from flint import ctx
 
 from . import analysis, evaluation
 from .analysis import Estimate
 from .conversion import at
-from .errors import InputError
+from .errors import ConvergenceWarning, InputError
+from .grid import FloatRing
+from .laurent import BallRing, PolynomialRing, RationalRing
 from .problem import Scalar
 from .refine import Orbit, refine, residuals
 from .resum import Resummed
+from .series import Expansion, Series
 
 __all__ = ["Quality"]
 
 #: Fourier orders from which the radius of a whole unknown is taken
 _LOW_MODES = 6
+#: a relative change beyond which a refined solution may belong to another branch
+_FAR = 0.5
 
 
 class Quality:
@@ -42,8 +50,44 @@ class Quality:
                              "choose a mode of the ansatz or a higher order")
         return analysis.thin(row)
 
+    def expand(self, function, n=0, sine=False, **parameters):
+        """(step, first, c), as :meth:`sequence`, of a mode of a function of λ and the unknowns.
+
+        Parameters
+        ----------
+        function : callable
+            Takes λ and, by name, the unknowns; written as the equations of a problem are.
+
+        Examples
+        --------
+        The closure S_x/3 of the figure eight, (E4), as a series in λ² (in units of 3^{1/3}):
+
+        >>> import ftseries as fts
+        >>> sol = fts.solve(fts.FigureEight(), order=6)
+        >>> sol.expand(sol.problem.condition)
+        (2, 0, [1, -5/16, 7/256, -55/24576])
+        """
+        self._check_parameters(parameters)
+        if self.problem.parameters:
+            ring = PolynomialRing(self.problem.parameters)
+        elif self.arithmetic == "float":
+            ring = FloatRing(degree=self.order + self.problem.ahead, order=self.order)
+        else:
+            ring = BallRing() if self.arithmetic == "ball" else RationalRing()
+        point, mode = self._point(parameters), (int(bool(sine)), n)
+        with ctx.workprec(self.precision or ctx.prec):
+            expansion = Expansion(ring)
+            unknowns = {name: expansion.polynomial(rows)
+                        for name, rows in self.coefficients.items()}
+            result = function(expansion.lam, **unknowns)
+            if not isinstance(result, Series):
+                raise InputError(f"the function must return a series, not {result!r}; write it as "
+                                 "the equations of a problem are written")
+            rows = [result[m].modes() for m in range(self.order + 1)]
+        return analysis.thin([at(row[mode], point) if mode in row else 0 for row in rows])
+
     def singularities(self, name, n=0, sine=None, **parameters):
-        """The singularities in z = Λ^step nearest to 0, from one mode.
+        """The singularities in z = Λ^step nearest to 0, from one mode, nearest first.
 
         See :func:`ftseries.analysis.nearest_singularities`.
         """
@@ -56,8 +100,8 @@ class Quality:
         ----------
         name : str
         n : int, optional
-            One Fourier mode; left out, the lowest modes together: the median of their radii, with
-            their spread in the uncertainty.
+            One Fourier mode; left out, that of the lowest modes whose radius is best determined;
+            its distance from the second best is in the uncertainty.
         **parameters
             Values of the problem's free parameters.
 
@@ -88,18 +132,19 @@ class Quality:
         scale, found = float(self.problem.lam_scale), []
         for sine, n in modes:
             step, _, c = self.sequence(name, n, sine, **parameters)
-            if len(c) < 10 and len(modes) > 1:
+            try:
+                radius = analysis.nearest_singularities(c)[0].radius
+            except InputError:
+                if len(modes) == 1:
+                    raise
                 continue
-            radius = analysis.nearest_singularities(c)[0].radius
-            value = radius.value ** (1 / step)
-            found.append((scale * value, scale * value * radius.error / (radius.value * step)))
+            value = scale * radius.value ** (1 / step)
+            found.append((value * radius.error / (radius.value * step), value))
         if not found:
             raise InputError(f"{name!r} has too few coefficients at order {self.order} to estimate "
                              "its radius of convergence; take a higher order")
-        values, errors = np.array(found).T
-        middle = np.argsort(values)[len(values) // 2]
-        spread = float(np.median(np.abs(values - values[middle])))
-        return Estimate(float(values[middle]), max(float(errors[middle]), spread))
+        (error, value), *others = sorted(found)
+        return Estimate(value, max([error] + [abs(value - other) for _, other in others[:1]]))
 
     def resum(self, **parameters):
         """The same series summed by Padé approximants in λ, mode by mode.
@@ -163,6 +208,11 @@ class Quality:
         Orbit
             With ``lam``, ``residual``, ``steps``, and ``evaluate`` as here.
 
+        Warns
+        -----
+        ConvergenceWarning
+            Newton's method ended far from where it began.
+
         Examples
         --------
         >>> import ftseries as fts
@@ -177,8 +227,12 @@ class Quality:
         lam = float(evaluation.finite("lam", lam))
         values = {key: float(evaluation.finite(key, value)) for key, value in parameters.items()}
         scale = float(self.problem.lam_scale)
-        lam, found, residual, steps = refine(self.problem, self._amplitudes(lam, values),
-                                             lam / scale, condition, values)
+        first = self._amplitudes(lam, values)
+        lam, found, residual, steps = refine(self.problem, first, lam / scale, condition, values)
+        if max(_change(first[name], found[name]) for name in found) > _FAR:
+            warnings.warn(f"at λ = {lam * scale:g} Newton's method ended far from the series where "
+                          "it began: this may be another of the problem's solutions; take a higher "
+                          "order or a smaller λ", ConvergenceWarning, stacklevel=2)
         found = {name: {mode: float(self.problem.scale(name)) * c for mode, c in modes.items()}
                  for name, modes in found.items()}
         return Orbit(self.problem, lam * scale, found, residual, steps)
@@ -188,3 +242,9 @@ class Quality:
         return {name: {mode: float(c) / float(self.problem.scale(name)) for mode, c in
                        evaluation.amplitudes(self.table(name, **parameters), lam).items()}
                 for name in self.problem.unknowns}
+
+
+def _change(before, after):
+    """The largest change of a mode, relative to the largest mode."""
+    change = max(abs(after.get(m, 0.0) - before.get(m, 0.0)) for m in before.keys() | after.keys())
+    return change / max(map(abs, after.values()), default=1.0)

@@ -280,6 +280,10 @@ class _Stages:
         scales = [self.scale(k + shift) for shift in self.linear.shifts]
         for (e, sine, n), c in residual.items():
             if not self.ring.negligible(c, scales[e]):
+                if not self.ring.exact and abs(c) < 1e-3 * scales[e]:
+                    raise SolveError(
+                        f"rounding has grown to {abs(c) / scales[e]:.0e} of the terms at order "
+                        f"{k} of λ; stay below, or solve with arithmetic='ball' or 'exact'")
                 raise ContradictionError(message.format(
                     name=self.linear.names[e], order=k + self.linear.shifts[e],
                     mode=f"{'sin' if sine else 'cos'} {n}τ"))

@@ -46,7 +46,7 @@ def rational(x):
         x = Fraction(*to_rational(x._mpf_)) if isfinite(x) else float(x)
     try:
         f = Fraction(int(x.p), int(x.q)) if hasattr(x, "p") and hasattr(x, "q") else Fraction(x)
-    except (TypeError, ValueError, OverflowError):
+    except (TypeError, ValueError, ArithmeticError):
         raise InputError(f"{x!r} is not a rational number; give an int, a Fraction, a decimal "
                          "string or a SymPy Rational") from None
     return fmpq(f.numerator, f.denominator)

@@ -28,8 +28,8 @@ _DEGREES, _FLOAT_DEGREES = (1, 2, 3, 4, 6, 8, 10, 12, 14, 16, 18, 20), (1, 2, 3,
 #: each degree is fitted to the last coefficients, and with this many of them left out
 _LEFT_OUT = (0, 1, 2)
 _BITS = 700
-#: fits agree when their zeros are this close, relative to the distance from 0
-_CLOSE = 0.02
+#: fits agree when their zeros are this close, relative to the distance from 0; if none do, this
+_CLOSE, _CLOSE_ENOUGH = 0.02, 0.06
 #: zeros are looked for between these multiples of the radius that the root test suggests
 _NEAREST, _FARTHEST = 0.1, 1.6
 #: the error given, in units of the distance within which half of the fits lie
@@ -147,7 +147,7 @@ def nearest_singularities(c):
         fits = [zeros for degree in degrees for left_out in _LEFT_OUT
                 if len(c) - 2 - 2 * degree - left_out >= degree
                 and (zeros := _fit(c[:len(c) - left_out], degree)) is not None]
-    found = _agreed(fits)
+    found = _agreed(fits, _CLOSE) or _agreed(fits, _CLOSE_ENOUGH)
     if not found:
         raise InputError("no singularity fits these coefficients: give more of them, or their "
                          "function has none")
@@ -211,7 +211,7 @@ def _fit(c, degree):
     return np.array(found, dtype=complex).reshape(-1, 2)
 
 
-def _agreed(fits):
+def _agreed(fits, close):
     """(z, s, error, error of s) of every place where half of the fits have a zero."""
     candidates = []
     half = max(2, (len(fits) + 1) // 2)
@@ -222,11 +222,11 @@ def _agreed(fits):
                 i = np.abs(fit[:, 0] - z).argmin()
                 near.append((abs(fit[i, 0] - z), abs(fit[i, 1] - s)))
         near = sorted(near)[:half]
-        if len(near) == half and near[-1][0] < _CLOSE * abs(z):
+        if len(near) == half and near[-1][0] < close * abs(z):
             candidates.append((near[-1][0], max(change for _, change in near), complex(z), s))
     chosen = []
     for error, exponent_error, z, s in sorted(candidates, key=lambda c: c[:2]):
-        if all(abs(z - other[2]) > 5 * _CLOSE * abs(z) for other in chosen):
+        if all(abs(z - other[2]) > 5 * close * abs(z) for other in chosen):
             chosen.append((error, exponent_error, z, s))
     result = []
     for error, exponent_error, z, s in sorted(chosen, key=lambda c: abs(c[2])):

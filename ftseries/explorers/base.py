@@ -1,8 +1,8 @@
-r"""What all explorers share: the packed series, the view that evaluates it, its controls, its picture.
+r"""What all explorers share: packed series, the view that evaluates them, controls, picture.
 
-An explorer is a *layout* (:class:`Explorer`, an ipywidgets box) of *controls* (ipywidgets) and one
-*view* (:class:`View`, an anywidget).  Controls and view are linked in the browser, so that they work
-with and without a kernel.  The view carries the coefficients of a solution and evaluates
+An explorer is a *layout* (:class:`Explorer`, an ipywidgets box) of *controls* (ipywidgets) and
+one *view* (:class:`View`, an anywidget).  Controls and view are linked in the browser, so that they
+work with and without a kernel.  The view carries the coefficients of a solution and evaluates
 
 .. math::  u(t; λ) = \sum_n A_n(λ) \cos nωt + B_n(λ) \sin nωt, \qquad A_n(λ) = \sum_m A_{n,m} λ^m,
 
@@ -52,17 +52,18 @@ __all__ = ["Explorer", "View", "bundle", "link", "pack", "packed", "picture"]
 SHARED = ("series.js", "plot.js", "view.js")
 _IMPORT = re.compile(r"^import [^;]*;\n", re.MULTILINE)
 _EXPORT = re.compile(r"^export (?!default)", re.MULTILINE)
+_COMMENT = re.compile(r"^ *//.*\n", re.MULTILINE)
 
 
 def bundle(*names):
     """The scripts ``js/<name>`` as one module: a widget's module cannot import its neighbours.
 
-    Each script is a module of its own (so that editors and tests can load it); here its imports
-    are dropped, and its exports but the default one become plain names.
+    Each script is a module of its own, for editors; here its imports and comments are dropped, and
+    its exports but the default one become plain names.
     """
     folder = resources.files(__package__) / "js"
     texts = [(folder / name).read_text(encoding="utf-8") for name in names]
-    return "\n".join(_EXPORT.sub("", _IMPORT.sub("", text)) for text in texts)
+    return "\n".join(_EXPORT.sub("", _IMPORT.sub("", _COMMENT.sub("", text))) for text in texts)
 
 
 class View(anywidget.AnyWidget):
@@ -104,7 +105,8 @@ class Explorer(ipywidgets.VBox):
         Already linked; see :func:`link`.
     view : View
     picture : function
-        Returns the bytes of a PNG file; called when the explorer is displayed.  See :func:`picture`.
+        Returns the bytes of a PNG file (see the function of this name); called when the explorer
+        is displayed.
     alt : str
         What the picture shows, in words.
     """
@@ -155,8 +157,8 @@ def link(control, view, trait):
     """
     control.value = value = getattr(view, trait)
     if control.value != value:
-        raise InputError(f"{control.description} = {value!r} is outside {control.min} … {control.max}; "
-                         "choose a value in this range")
+        raise InputError(f"{control.description} = {value!r} is outside {control.min} … "
+                         f"{control.max}; choose a value in this range")
     ipywidgets.jslink((control, "value"), (view, trait))
     return control
 

@@ -98,7 +98,7 @@ def _short(text):
 def _draw(axes, table, order):
     size = np.full((max(n for _, n in table) + 1, order + 1), np.nan)
     for (_, n), row in table.items():
-        known = np.flatnonzero(row)
+        row, known = np.asarray(row), np.flatnonzero(row)
         size[n, known] = np.fmax(size[n, known], np.log10(np.abs(row[known])))
     image = axes.imshow(size, origin="lower", aspect="auto")
     axes.figure.colorbar(image, ax=axes, label=r"$\log_{10}$ of the size")

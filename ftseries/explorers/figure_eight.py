@@ -9,7 +9,7 @@ import traitlets
 from ..errors import ConvergenceWarning, InputError
 from ..figures.style import BLUE, GREEN, GREY, PURPLE, VERMILION
 from ..problems import FigureEight
-from ..problems.figure_eight import _relative, closure, closure_zero, positions
+from ..problems.figure_eight import closure, closure_zero, positions, relative
 from ..references import newton
 from ..solver import solve
 from .base import Explorer, View, link, pack, packed, picture
@@ -122,7 +122,7 @@ def _orbit(order):
 
 def _bodies(ax, sol, lam, t):
     """The bodies on their orbit; r_23, r_12, r_31 head to tail, the gap centred on body 3."""
-    bodies, (r_12, r_23, r_31) = positions(sol, t, lam), _relative(sol, t, lam)
+    bodies, (r_12, r_23, r_31) = positions(sol, t, lam), relative(sol, t, lam)
     S = r_12 + r_23 + r_31
     corners = bodies[2] - S / 2 + np.cumsum([0, r_23, r_12, r_31])
     truth, orbit = newton.figure_eight(PERIOD)[2], positions(sol, PERIOD, lam)[0]

@@ -50,20 +50,22 @@ def mathieu(order=12, lam=2.0, mu=-0.3, stored=60):
     (0.1, 2.0)
     """
     solution = solve(GeneralizedMathieu(), order=stored)
-    view = MathieuView(data=pack(solution, "psi", "a"), region=region(), order=order, lam=lam, mu=mu)
+    view = MathieuView(data=pack(solution, "psi", "a"), region=region(), order=order,
+                       lam=lam, mu=mu)
     controls = [
-        link(ipywidgets.FloatSlider(description="λ", min=0, max=3, step=0.01), view, "lam"),
-        link(ipywidgets.FloatSlider(description="μ", min=-WIDEST, max=WIDEST, step=0.01), view, "mu"),
+        link(ipywidgets.FloatSlider(description="λ", max=3, step=0.01), view, "lam"),
+        link(ipywidgets.FloatSlider(description="μ", min=-WIDEST, max=WIDEST, step=0.01),
+             view, "mu"),
         link(ipywidgets.IntSlider(description="order", min=2, max=stored), view, "order"),
     ]
 
     def draw(left, right):
-        figures.psi(left, solution.truncate(order), lam, mu)
-        figures.error_map(right, solution.truncate(order), points=[(lam, mu)])
+        figures.potential(left, [(lam, mu)])
+        figures.psi(right, solution.truncate(order), lam, mu)
 
     return Explorer(controls, view, picture(draw, 2),
-                    f"Left, ψ(x) at λ = {lam:g}, μ = {mu:g} by the series of order {order} and "
-                    "numerically; right, the error of the eigenvalue over the plane of λ and μ.")
+                    f"Left, the potential of (M1) at λ = {lam:g}, μ = {mu:g}; right, ψ(x) by the "
+                    f"series of order {order} and numerically.")
 
 
 def region(points=21, order=99):
@@ -71,8 +73,10 @@ def region(points=21, order=99):
 
     Examples
     --------
-    >>> region(points=3)                        # at μ = 0: DLMF 28.6.1, √(2 · 3.76995749)
-    {'mu': [-0.5, 0.0, 0.5], 'radius': [1.889, 2.7459, 1.7585]}
+    >>> region(points=3)["mu"]
+    [-0.5, 0.0, 0.5]
+    >>> round(region(points=3)["radius"][1], 3)     # √(2 · 3.76995749), DLMF table 28.6.1
+    2.746
     """
     found = {"mu": [], "radius": []}
     for mu in np.linspace(-WIDEST, WIDEST, points).round(6).tolist():

@@ -20,7 +20,7 @@ from ..problem import Field, Problem
 from ..series import cos, sin
 from ..trig import finite
 
-__all__ = ["FigureEight", "positions", "closure", "closure_zero"]
+__all__ = ["FigureEight", "relative", "positions", "closure", "closure_zero"]
 
 
 class FigureEight(Problem):
@@ -59,8 +59,11 @@ class FigureEight(Problem):
         return sp.cbrt(3) if name == "r" else sp.S.One
 
 
-def _relative(sol, t, lam):
-    """r_12, r_23, r_31 as complex numbers."""
+def relative(sol, t, lam):
+    """r_12, r_23, r_31 of (E2), (E5b), (E5d) as complex numbers, shape (3,) + t.shape.
+
+    Arguments as for :func:`positions`.
+    """
     if not isinstance(getattr(sol, "problem", None), FigureEight):
         raise InputError(f"{sol!r} is not a figure eight; solve FigureEight() first")
     times = finite("t", t)[..., *(None,) * np.ndim(lam)]
@@ -94,7 +97,7 @@ def positions(sol, t, lam):
     >>> bool(abs(r3) < 1e-12)                                   # body 3 starts at the origin
     True
     """
-    r12, r23, r31 = _relative(sol, t, lam)
+    r12, r23, r31 = relative(sol, t, lam)
     return np.stack([r12 - r31, r23 - r12, r31 - r23]) / 3
 
 
@@ -103,7 +106,7 @@ def closure(sol, lam):
 
     ``lam`` may be an array; the result has its shape.
     """
-    return _relative(sol, 0.0, lam).real.sum(axis=0)
+    return relative(sol, 0.0, lam).real.sum(axis=0)
 
 
 def closure_zero(sol, search=(0.0, 4.0)):
@@ -124,11 +127,12 @@ def closure_zero(sol, search=(0.0, 4.0)):
         raise InputError(f"search={search!r}: give the two ends of an interval of λ")
     lam = np.linspace(*finite("search", search), 801)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ConvergenceWarning)       # the scan goes past the zero
+        warnings.simplefilter("ignore", ConvergenceWarning)       # the search goes past the zero
         sign = np.sign(closure(sol, lam))
-    change = np.flatnonzero(sign[:-1] * sign[1:] <= 0)
-    if not change.size:
-        raise FTSeriesError(f"S_x has no zero for {search[0]} < λ < {search[1]} at order "
-                            f"{sol.order}; take a higher order or another search interval")
-    left, right = lam[change[0]:change[0] + 2]
-    return float(brentq(lambda x: float(closure(sol, x)), left, right, xtol=1e-15, rtol=1e-15))
+        change = np.flatnonzero(sign[:-1] * sign[1:] <= 0)
+        if not change.size:
+            raise FTSeriesError(f"S_x has no zero for {search[0]} < λ < {search[1]} at order "
+                                f"{sol.order}; take a higher order or another search interval")
+        left, right = lam[change[0]:change[0] + 2]
+        return float(brentq(lambda x: float(closure(sol, x)), left, right,
+                            xtol=1e-15, rtol=1e-15))

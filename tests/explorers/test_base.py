@@ -6,7 +6,7 @@ import re
 import anywidget
 import ipywidgets
 import pytest
-from ipywidgets.embed import embed_data
+from ipywidgets.embed import dependency_state
 
 import ftseries as fts
 from ftseries import explorers
@@ -36,7 +36,7 @@ def test_every_explorer_is_made_here():
 
 def test_controls_are_linked_in_the_browser(explorer):
     """One LinkModel for each control: the page needs no kernel."""
-    state = embed_data(views=[explorer], drop_defaults=False)["manager_state"]["state"]
+    state = dependency_state([explorer], drop_defaults=False)
     links = [model["state"] for model in state.values() if model["model_name"] == "LinkModel"]
     reference = f"IPY_MODEL_{explorer.view.model_id}"
     for name, control in explorer.controls.items():
@@ -69,7 +69,7 @@ def test_a_picture_stands_in(explorer):
 
 def test_weight_of_a_page(explorer):
     """Everything a page carries for one explorer, in its file; 130 kB is a small picture."""
-    state = embed_data(views=[explorer], drop_defaults=False)["manager_state"]
+    state = dependency_state([explorer], drop_defaults=False)
     assert len(json.dumps(state)) < 130_000
 
 

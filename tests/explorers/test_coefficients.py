@@ -11,8 +11,8 @@ from ftseries.explorers import base
 
 def read(text):
     """A displayed number as SymPy reads it."""
-    for sign, code in {"∛3": "3**Rational(1,3)", "√6": "sqrt(6)", "√3": "sqrt(3)", "^": "**", "·": "*", "−": "-",
-                       "μ": "mu"}.items():
+    for sign, code in {"∛3": "3**Rational(1,3)", "√6": "sqrt(6)", "√3": "sqrt(3)", "^": "**",
+                       "·": "*", "−": "-", "μ": "mu"}.items():
         text = text.replace(sign, code)
     return sp.sympify(text)
 
@@ -21,7 +21,8 @@ def read(text):
     (fts.FigureEight(), "r", 14, {}), (fts.FigureEight(), "phi", 13, {}),
     (fts.CubicOscillator(a=1), "x", 12, {}), (fts.CubicOscillator(a=1), "omega", 12, {}),
     (fts.CubicOscillator(a=2), "omega", 8, {}),
-    (fts.GeneralizedMathieu(), "psi", 11, {"mu": 0.2}), (fts.GeneralizedMathieu(), "a", 12, {"mu": 0.2}),
+    (fts.GeneralizedMathieu(), "psi", 11, {"mu": 0.2}),
+    (fts.GeneralizedMathieu(), "a", 12, {"mu": 0.2}),
 ])
 def test_texts_are_the_exact_numbers(problem, name, order, parameters):
     solution = fts.solve(problem, order=order)
@@ -38,7 +39,8 @@ def test_values_are_the_table(run_javascript):
     solution = fts.solve(fts.GeneralizedMathieu(), order=9)
     view = explorers.coefficients(solution, "psi", mu=-0.3).view
     found = run_javascript("""
-        output = new Series(input.psi, "psi").modes.map(({ sine, n, taylor }) => [sine, n, ...taylor]);
+        const { modes } = new Series(input.psi, "psi");
+        output = modes.map(({ sine, n, taylor }) => [sine, n, ...taylor]);
         """, view.data, "series.js")
     table = solution.table("psi", mu=-0.3)
     assert {(sine, n): row for sine, n, *row in found} == {k: list(v) for k, v in table.items()}

@@ -9,15 +9,15 @@ END = 6.0
 
 
 def test_exact_motion(run_javascript):
-    """Near λ = 3 the motion is unstable: rounding in √(3 + λ) t grows like the distance in phase."""
+    """Also near λ = 3, where the motion slows down on the top: rounding costs some digits there."""
     random = np.random.default_rng(5)
     lam = np.concatenate([random.uniform(0, 3, 200), [0.0, 1e-9, 2.999, 2.9999999]])
     t = random.uniform(0, END, lam.size)
-    found = np.array(run_javascript("output = input.map(([t, lam]) => [position(t, lam), frequency(lam)]);",
-                                    list(zip(t.tolist(), lam.tolist(), strict=True)), "elliptic.js"))
-    exact = np.array([float(cubic.position(*map(float, place), dps=30)) for place in zip(t, lam, strict=True)])
-    assert np.abs(found[:, 0] - exact).max() < 1e-10
-    assert np.abs(found[:, 1] - cubic.frequency(lam)).max() < 1e-13
+    found = run_javascript("output = input.map(([t, lam]) => [position(t, lam), frequency(lam)]);",
+                           np.transpose([t, lam]).tolist(), "elliptic.js")
+    exact = [(float(cubic.position(*place, dps=30)), float(cubic.frequency(place[1], dps=30)))
+             for place in zip(t.tolist(), lam.tolist(), strict=True)]
+    assert np.abs(np.subtract(found, exact)).max() < 1e-12
 
 
 def test_at_the_separatrix_the_particle_rests(run_javascript):
@@ -28,7 +28,8 @@ def test_at_the_separatrix_the_particle_rests(run_javascript):
 def test_potential_energy_speed(run_javascript):
     lam = np.linspace(0, 3.5, 8)
     found = np.array(run_javascript("""
-        output = input.map((lam) => [potential(-1.3, lam), energy(lam), top(lam), speed(-1, lam, energy(lam))]);
+        output = input.map((lam) =>
+          [potential(-1.3, lam), energy(lam), top(lam), speed(-1, lam, energy(lam))]);
         """, lam.tolist(), "elliptic.js"))
     V, E, top, speed = found.T
     assert np.allclose(V, cubic.potential(-1.3, lam), rtol=1e-14)

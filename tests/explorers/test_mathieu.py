@@ -30,13 +30,15 @@ def test_eigenvalue_and_coefficients(run_javascript, places):
 
 def test_ordinary_mathieu_equation(run_javascript):
     lam = np.linspace(0, 3, 31)
-    found = run_javascript("output = input.map((lam) => lowest(lam, 0).a);", lam.tolist(), "hill.js")
+    found = run_javascript("output = input.map((lam) => lowest(lam, 0).a);", lam.tolist(),
+                           "hill.js")
     assert np.abs(found - mathieu.mathieu_b(lam)).max() < 1e-12
 
 
 def test_eigenfunction(run_javascript):
     x = np.linspace(0, 7, 29)
-    found = run_javascript("output = eigenfunction(input, lowest(2, -0.3).c);", x.tolist(), "hill.js")
+    found = run_javascript("output = eigenfunction(input, lowest(2, -0.3).c);", x.tolist(),
+                           "hill.js")
     assert np.abs(found - mathieu.eigenfunction(x, 2, -0.3)).max() < 1e-12
 
 

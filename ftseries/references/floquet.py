@@ -1,0 +1,116 @@
+"""Monodromy matrices by power series, and what is published about the eight's.
+
+Hill's equation (M1) is ψ'' = Q(x) ψ with an entire Q, so one power series reaches any x. From
+Q = Σ Q_j x^j follows (n + 1)(n + 2) ψ_{n+2} = Σ Q_j ψ_{n-j}, in as many digits as one likes.
+
+The eight: the recurrences of `three_bodies` for the Taylor coefficients in time are differentiated
+by the initial values. After T/3 the bodies have changed places, state(T/3) = P state(0), so that
+the variational matrix Y obeys Y(T) = (P⁻¹ Y(T/3))³: a third of a period is enough. Coordinates are
+x_1, y_1, …, x_3, y_3 and then the velocities in the same order.
+
+C. Simó (Celestial Mechanics, Contemporary Mathematics 292, 2002, pages 209-228) gives the rotation
+numbers of the multipliers exp(±2πiν) that are not 1.
+"""
+
+import mpmath
+import numpy as np
+
+from ftseries.errors import InputError
+from ftseries.references import newton
+from ftseries.references._input import digits, number
+
+__all__ = ["ROTATION_NUMBERS", "figure_eight_monodromy", "hill_monodromy"]
+
+ROTATION_NUMBERS = (0.00842272, 0.29809253)
+ORDER, TOLERANCE = 24, 1e-18  # of the Taylor series in time
+
+
+def hill_monodromy(a, lam, mu=0, end=None, dps=30):
+    """The matrix of ψ, ψ' at x = `end` (π if left out) from ψ, ψ' at 0, to `dps` digits.
+
+    >>> mpmath.nprint(hill_monodromy(1, 0), 12)
+    [-1.0   0.0]
+    [ 0.0  -1.0]
+    """
+    digits(dps)
+    with mpmath.workdps(2 * dps + 20):
+        a, lam, mu = number("a", a), number("lam", lam), number("mu", mu)
+        end = +mpmath.pi if end is None else number("end", end)
+        if abs(end) > 10:
+            raise InputError("end must lie within ±10: the power series about 0 cancels beyond.")
+        q, matrix, quiet = [], [[1, 0], [0, 1]], 0
+        columns = [[mpmath.mpf(1), mpmath.mpf(0)], [mpmath.mpf(0), mpmath.mpf(1)]]
+        n, power = 0, end
+        while quiet < 8:
+            sign = (-1) ** (n // 2) * (n % 2 == 0)
+            part = lam**2 * mpmath.mpf(2) ** n + lam**4 * mu * mpmath.mpf(4) ** n
+            q.append(sign * part / mpmath.factorial(n) - (a if n == 0 else 0))
+            size = 0
+            for c, (row, slope) in zip(columns, ((0, 0), (1, 1))):
+                c.append(mpmath.fdot(q, c[n::-1]) / ((n + 1) * (n + 2)))
+                term = c[n + 2] * power
+                matrix[1][slope] += (n + 2) * term
+                matrix[0][row] += term * end
+                size = max(size, abs((n + 2) * term), abs(term * end))
+            quiet = quiet + 1 if size < mpmath.mpf(10) ** (-dps - 10) else 0
+            n, power = n + 1, power * end
+        matrix[0][1] += end
+        return mpmath.matrix(matrix)
+
+
+def figure_eight_monodromy():
+    """The eight's monodromy matrix over 2π, 12 × 12, from Newton's equations alone, in float64.
+
+    >>> m = figure_eight_monodromy()
+    >>> turn = np.sort(abs(np.angle(np.linalg.eigvals(m)))) / (2 * np.pi)
+    >>> turn[-4:].round(8)
+    array([0.00842272, 0.00842272, 0.29809253, 0.29809253])
+    """
+    state = np.stack([newton.figure_eight_state().real, newton.figure_eight_state().imag], axis=-1)
+    change, now, end = np.eye(12).reshape(2, 3, 2, 12), 0.0, 2 * np.pi / 3
+    while now < end:
+        r, dr = _taylor(*state, *change)
+        last = [(k, max(abs(c[k]).max() for c in (r, dr))) for k in (ORDER - 1, ORDER)]
+        step = min([end - now] + [(TOLERANCE / size) ** (1 / k) for k, size in last])
+        now = now + step if step < end - now else end
+        state, change = _sum(r, step), _sum(dr, step)
+    back = np.zeros((12, 12))  # P⁻¹: body 1 has gone to the place of 3, 2 to that of 1, 3 to 2
+    for body, place in enumerate((2, 0, 1)):
+        for k in range(2):
+            for half in (0, 6):
+                back[half + 2 * place + k, half + 2 * body + k] = 1
+    return np.linalg.matrix_power(back @ change.reshape(12, 12), 3)
+
+
+def _sum(c, t):
+    """Position and velocity at t."""
+    k = np.arange(len(c)).reshape(-1, *(1,) * (c.ndim - 1))
+    return np.stack([(c * t**k).sum(0), (k[1:] * c[1:] * t ** (k[1:] - 1)).sum(0)])
+
+
+def _taylor(position, velocity, d_position, d_velocity):
+    """Coefficients of r, of shape (ORDER + 1, 3, 2), and of dr by 12 parameters, (…, 3, 2, 12)."""
+    r, u = (np.zeros((ORDER + 1, 3, 2)) for _ in range(2))
+    s, w = (np.zeros((ORDER + 1, 3)) for _ in range(2))
+    dr, du = (np.zeros((ORDER + 1, 3, 2, 12)) for _ in range(2))
+    ds, dw = (np.zeros((ORDER + 1, 3, 12)) for _ in range(2))
+    r[:2], dr[:2] = (position, velocity), (d_position, d_velocity)
+    for k in range(ORDER - 1):
+        u[k], du[k] = (c[k] - np.roll(c[k], -1, axis=0) for c in (r, dr))
+        s[k] = (u[: k + 1] * u[k::-1]).sum((0, 2))
+        ds[k] = 2 * (u[: k + 1, ..., None] * du[k::-1]).sum((0, 2))
+        if k == 0:
+            w[0], dw[0] = s[0] ** -1.5, -1.5 * s[0, :, None] ** -2.5 * ds[0]
+        else:
+            j = np.arange(1, k + 1)[:, None]
+            w[k] = -((2 * k + j) * s[1 : k + 1] * w[:k][::-1]).sum(0) / (2 * k * s[0])
+            j = j[..., None]
+            both = ds[1 : k + 1] * w[:k][::-1, :, None] + s[1 : k + 1, :, None] * dw[:k][::-1]
+            dw[k] = -(((2 * k + j) * both).sum(0) / (2 * k) + ds[0] * w[k, :, None])
+            dw[k] /= s[0, :, None]
+        pull = (w[: k + 1, :, None] * u[k::-1]).sum(0)
+        d_pull = (dw[: k + 1, :, None] * u[k::-1, ..., None]
+                  + w[: k + 1, :, None, None] * du[k::-1]).sum(0)
+        for c, force in ((r, pull), (dr, d_pull)):
+            c[k + 2] = (np.roll(force, 1, axis=0) - force) / ((k + 1) * (k + 2))
+    return r, dr

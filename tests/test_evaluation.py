@@ -1,0 +1,170 @@
+"""Evaluation of plain tables: against direct sums, mpmath, and known radii."""
+
+import warnings
+from math import comb
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import ftseries as fts
+from ftseries.errors import ConvergenceWarning, InputError
+from ftseries.evaluation import (
+    amplitudes,
+    broadcastable,
+    fourier_sum,
+    radius_estimate,
+    warn_outside,
+)
+
+coefficients = st.floats(-3, 3, allow_subnormal=False)
+tables = st.dictionaries(st.sampled_from([(0, 0), (0, 1), (0, 4), (1, 1), (1, 2), (1, 3)]),
+                         st.lists(coefficients, min_size=4, max_size=4), max_size=6)
+
+
+@given(tables, st.floats(-2, 2), st.floats(-10, 10))
+def test_both_sums_against_the_definition(table, lam, tau):
+    direct = sum(c * lam**m * (np.sin if sine else np.cos)(n * tau)
+                 for (sine, n), row in table.items() for m, c in enumerate(row))
+    value = fourier_sum(amplitudes(table, lam), tau)
+    assert value == pytest.approx(direct, abs=2e-12)        # at most 24 terms of size 3·2³
+
+
+@given(tables, st.sampled_from([(), (3,), (2, 3)]), st.sampled_from([(), (1,), (3,), (2, 1)]))
+def test_shapes_broadcast(table, lam_shape, tau_shape):
+    lam = np.linspace(-1, 1, int(np.prod(lam_shape))).reshape(lam_shape)
+    tau = np.linspace(0, 5, int(np.prod(tau_shape))).reshape(tau_shape)
+    value = fourier_sum(amplitudes(table, lam), tau + 0 * lam)
+    assert value.shape == np.broadcast_shapes(lam_shape, tau_shape)
+    for index in np.ndindex(value.shape):
+        one = fourier_sum(amplitudes(table, np.broadcast_to(lam, value.shape)[index]),
+                          np.broadcast_to(tau, value.shape)[index])
+        assert value[index] == pytest.approx(one, abs=1e-13)
+
+
+def test_horner_at_high_order():
+    """Σ λ^m = 1/(1 - λ) at λ = 0.9 with 400 terms: the tail is 0.9^400/0.1 = 5e-18."""
+    assert amplitudes({(0, 0): [1.0] * 400}, 0.9)[0, 0] == pytest.approx(10, abs=1e-13)
+
+
+@pytest.mark.parametrize("radius", [0.5, 1.0, 3.0])
+@pytest.mark.parametrize("p", [-0.5, 0.5, 1.5])
+def test_radius_of_an_algebraic_singularity(radius, p):
+    """(1 - λ/R)^p has the radius R; 60 coefficients give it to half a percent."""
+    row, c = [], 1.0
+    for k in range(60):
+        row.append(c)
+        c *= -(p - k) / (k + 1) / radius
+    assert radius_estimate({(0, 0): row}) == pytest.approx(radius, rel=5e-3)
+
+
+def test_radius_needs_enough_coefficients():
+    assert radius_estimate({}) is None
+    assert radius_estimate({(0, 0): [1.0] * 8}) is None
+    assert radius_estimate({(0, 0): [1.0] + [0.0] * 50}) is None
+    assert radius_estimate({(0, 0): [1.0, 0.0] * 20}) == pytest.approx(1, rel=1e-10)
+
+
+def test_the_warning_names_the_radius():
+    table = {(0, 0): [comb(2 * k, k) / 4**k for k in range(40)]}          # 1/√(1 - λ)
+    with pytest.warns(ConvergenceWarning, match="λ = 2 .*near 1"):
+        warn_outside(table, "x", 2.0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        warn_outside(table, "x", np.array([0.5, -0.99]))
+        warn_outside(table, "x", np.array([]))
+
+
+def test_broadcastable_names_the_shapes():
+    arrays = broadcastable(t=[1, 2], lam=0.5)
+    assert arrays["t"].shape == (2,) and arrays["lam"].shape == ()
+    with pytest.raises(InputError, match=r"t \(2,\), lam \(3,\)"):
+        broadcastable(t=[1, 2], lam=[1, 2, 3])
+
+
+# --- through a solution -------------------------------------------------------------------------
+
+@pytest.fixture(scope="module")
+def cubic():
+    return fts.solve(fts.CubicOscillator(), 12)
+
+
+@given(st.floats(-5, 5), st.floats(-1.5, 1.5))
+def test_digits_agree_with_floats(cubic, t, lam):
+    """15 and 40 digits of the same polynomial; the phase ωt loses a few units at |t| = 5."""
+    value = cubic.evaluate("x", t, lam=lam)
+    assert value == pytest.approx(float(cubic.evaluate("x", t, lam=lam, dps=40)), abs=5e-14)
+    assert float(cubic.evaluate("omega", lam=lam, dps=30)) == pytest.approx(
+        cubic.evaluate("omega", lam=lam), abs=5e-15 * 4)
+
+
+def test_more_digits_refine_fewer(cubic):
+    few, many = (cubic.evaluate("x", "0.3", lam="0.5", dps=d) for d in (20, 60))
+    with mpmath.workdps(60):
+        assert 0 < abs(few - many) < mpmath.mpf("1e-19")
+
+
+def test_digits_follow_the_definition(cubic):
+    """Summed again from the exact coefficients by mpmath, at 50 digits."""
+    with mpmath.workdps(60):
+        lam, t = mpmath.mpf("0.4"), mpmath.mpf("1.7")
+        omega = sum(mpmath.mpmathify(cubic.coefficient("omega", m).evalf(70)) * lam**m
+                    for m in range(13))
+        x = sum(mpmath.mpmathify(cubic.coefficient("x", n, m).evalf(70)) * lam**m
+                * mpmath.cos(n * omega * t) for m in range(13) for n in range(m + 1))
+        assert abs(cubic.evaluate("x", t, lam=lam, dps=50) - x) < mpmath.mpf("1e-49")
+
+
+def test_digits_broadcast(cubic):
+    t, lam = np.array([[0.1], [0.2]]), [0.1, 0.2, 0.3]
+    many = cubic.evaluate("x", t, lam=lam, dps=20)
+    assert many.shape == (2, 3) and isinstance(many[1, 2], mpmath.mpf)
+    assert many.astype(float) == pytest.approx(cubic.evaluate("x", t, lam=lam), abs=1e-15)
+
+
+def test_the_working_precision_of_mpmath_is_left_alone(cubic):
+    before = mpmath.mp.dps
+    cubic.evaluate("x", 0.1, lam=0.5, dps=77)
+    assert mpmath.mp.dps == before
+
+
+def test_exact_input_is_used_exactly(cubic):
+    """A text, a SymPy number and mpmath digits mean the same; the float 0.1 is another number."""
+    import sympy as sp
+    with mpmath.workdps(40):
+        values = [cubic.evaluate("omega", lam=lam, dps=40)
+                  for lam in ("0.1", sp.Rational(1, 10), mpmath.mpf("0.1"))]
+        assert max(values) - min(values) < mpmath.mpf("1e-39")
+        assert abs(cubic.evaluate("omega", lam=0.1, dps=40) - values[0]) > mpmath.mpf("1e-20")
+
+
+def test_a_scalar_over_an_array(cubic):
+    lam = np.linspace(-1, 1, 7)
+    values = cubic.evaluate("omega", lam=lam)
+    assert values.shape == (7,)
+    assert values == pytest.approx(values[::-1], abs=1e-15)                # even in λ
+    assert values[3] == pytest.approx(np.sqrt(12), rel=1e-15)
+
+
+def test_broadcasting_over_t_lambda_and_mu():
+    solution = fts.solve(fts.GeneralizedMathieu(), 9)
+    x, lam, mu = np.linspace(0, 1, 2), np.linspace(0, 1, 3), np.array([-0.1, 0.2])
+    values = solution.evaluate("psi", x[:, None, None], lam=lam[:, None], mu=mu)
+    assert values.shape == (2, 3, 2)
+    for i, j, k in np.ndindex(values.shape):
+        assert values[i, j, k] == solution.evaluate("psi", x[i], lam=lam[j], mu=mu[k])
+
+
+def test_lambda_zero_gives_the_rest_state(cubic):
+    assert cubic.evaluate("x", [0, 1.3], lam=0) == pytest.approx([-1, -1], abs=0)
+    assert fts.solve(fts.GeneralizedMathieu(0), 5).evaluate("psi", 0.3, lam=0) == 0
+
+
+def test_one_number_in_one_number_out(cubic):
+    assert type(cubic.evaluate("x", 0.3, lam=0.5)) is float
+    assert type(cubic.evaluate("omega", lam=0.5)) is float
+    assert isinstance(cubic.evaluate("x", 0.3, lam=0.5, dps=30), mpmath.mpf)
+    assert cubic.evaluate("x", [0.3], lam=0.5).shape == (1,)
+    assert cubic.evaluate("x", [], lam=0.5).shape == (0,)

@@ -1,0 +1,119 @@
+"""The float ring: values on a quarter-period grid are finite Fourier sums without loss."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from ftseries.errors import InputError
+from ftseries.grid import FloatRing, GridTable
+from ftseries.series import Expansion
+
+DEGREES = [0, 1, 2, 3, 4, 7, 10, 31]
+
+
+def keys(degree):
+    return [(s, n) for s in (0, 1) for n in range(degree + 1) if n or not s]
+
+
+@pytest.mark.parametrize("degree", DEGREES)
+def test_analysis_inverts_synthesis(degree):
+    """Modes up to the degree: the transforms are orthogonal, so only rounding is lost."""
+    ring = FloatRing(degree)
+    rng = np.random.default_rng(degree)
+    modes = {key: float(rng.normal()) for key in keys(degree)}
+    back = ring.from_modes(modes).modes()
+    assert all(abs(back.get(key, 0.0) - modes.get(key, 0.0)) < 1e-14 * (degree + 10)
+               for key in set(back) | set(modes))
+
+
+@pytest.mark.parametrize("degree", DEGREES)
+def test_the_values_of_each_kind_are_those_of_its_functions(degree):
+    ring = FloatRing(degree)
+    for sine, n in keys(degree):
+        (kind, row), = ring.from_modes({(sine, n): 1.0}).parts.items()
+        assert kind == n % 2 + 2 * sine
+        assert np.allclose(row, (np.cos, np.sin)[sine](n * ring.tau), rtol=0, atol=1e-14)
+
+
+@pytest.mark.parametrize("degree", [3, 8, 21])
+def test_products_within_the_degree_are_exact(degree):
+    """cos a cos b = ½ cos(a - b) + ½ cos(a + b), while a + b stays within the degree."""
+    ring = FloatRing(degree)
+    for a in range(degree + 1):
+        for b in range(degree + 1 - a):
+            product = (ring.from_modes({(0, a): 1.0}) * ring.from_modes({(0, b): 1.0})).modes()
+            expected = {}
+            for n in (abs(a - b), a + b):
+                expected[0, n] = expected.get((0, n), 0) + 0.5
+            assert all(abs(product.get(m, 0) - expected.get(m, 0)) < 1e-13
+                       for m in set(product) | set(expected))
+
+
+def test_a_mode_beyond_the_grid_is_refused():
+    with pytest.raises(InputError, match="Fourier order 9"):
+        FloatRing(4).from_modes({(0, 9): 1.0})
+
+
+@given(st.integers(1, 12))
+def test_derivative_matrices(n):
+    ring = FloatRing(12)
+    cosine = ring.from_modes({(0, n): 1.0}).multiply_modes(lambda n, ring: (0, n)).modes()
+    assert all(abs(c - (-n if m == (1, n) else 0)) < 1e-12 for m, c in cosine.items())
+
+
+class TestTable:
+    ring = FloatRing(degree=4, order=9)
+
+    def row(self, c, n=0):
+        return self.ring.from_modes({(0, n): float(c)})
+
+    def test_grows_and_is_cut(self):
+        table = GridTable(self.ring)
+        for k in range(5):
+            table.append(self.row(k))
+        assert len(table) == 5
+        assert table[3].modes()[0, 0] == pytest.approx(3)
+        table.cut(2)
+        assert len(table) == 2
+        for k in (2, -1):
+            with pytest.raises(IndexError):
+                table[k]
+        table.append(self.row(7, 1))
+        assert table[2].modes()[0, 1] == pytest.approx(7)
+        assert table[2].modes().get((0, 0), 0) == 0          # nothing of the old row is left
+
+    def test_cutting_beyond_the_end_does_nothing(self):
+        table = GridTable(self.ring)
+        table.append(self.row(1))
+        table.cut(5)
+        assert len(table) == 1
+
+    @pytest.mark.parametrize("powers_a", ["all", "even", "odd"])
+    @pytest.mark.parametrize("powers_b", ["all", "even", "odd"])
+    @pytest.mark.parametrize("lo", [0, 1, 2, 3])
+    def test_cauchy_sums_with_rows_of_one_parity(self, powers_a, powers_b, lo):
+        """Absent parities are stepped over; the sum is the plain one."""
+        keep = {"all": (0, 1), "even": (0,), "odd": (1,)}
+        a, b = GridTable(self.ring), GridTable(self.ring)
+        for k in range(9):
+            a.append(self.row(k + 1) if k % 2 in keep[powers_a] else self.ring.from_modes({}))
+            b.append(self.row(2 * k + 1) if k % 2 in keep[powers_b] else self.ring.from_modes({}))
+        for k in range(lo, 9):
+            for alpha, beta in ((1, 0), (-1, 0), (2, 3)):
+                total = sum((alpha + beta * j) * (j + 1) * (2 * (k - j) + 1)
+                            for j in range(lo, k + 1)
+                            if j % 2 in keep[powers_a] and (k - j) % 2 in keep[powers_b])
+                value = self.ring.convolve(a, b, k, lo, k, alpha, beta).modes().get((0, 0), 0.0)
+                assert value == pytest.approx(total, abs=1e-11)
+
+
+def test_a_high_order_series_keeps_its_precision():
+    """1/(1 - λ cos τ)² at λ⁶⁰: coefficients of cos^60, exact binomials, to 60 products' rounding."""
+    from math import comb
+    ring = FloatRing(degree=60, order=60)
+    expansion = Expansion(ring)
+    modes = ((1 - expansion.lam * expansion.cos(1)) ** -2)[60].modes()
+    for n in range(0, 61, 2):
+        expected = 61 * comb(60, (60 - n) // 2) / 2**60 * (1 if n == 0 else 2)
+        assert modes[0, n] == pytest.approx(expected, abs=1e-12 * 61)
