@@ -25,8 +25,9 @@ def to_latex(solution, name, order):
     for m, row in enumerate(solution.coefficients[name][:order + 1]):
         for mode, number in row.items():
             by_mode.setdefault(mode, []).append((m, solution._in_unit(name, m, number)))
-    phase = "t" if not solution.problem.frequency else _GREEK.get(
-        solution.problem.frequency, solution.problem.frequency) + " t"
+    phase = variable = solution.problem.variable
+    if solution.problem.frequency:
+        phase = f"{_GREEK.get(solution.problem.frequency, solution.problem.frequency)} {variable}"
     terms = []
     for (sine, n), powers in sorted(by_mode.items(), key=lambda item: (item[0][1], item[0][0])):
         pieces = [_term(c, _power(m)) for m, c in powers]
@@ -38,7 +39,7 @@ def to_latex(solution, name, order):
             terms.append(_term(powers[0][1], (_power(powers[0][0]) + " " + function).strip()))
         else:
             terms.append(rf"+\left({_join(pieces)}\right) {function}")
-    left = _GREEK.get(name, name) + ("" if scalar else "(t)")
+    left = _GREEK.get(name, name) + ("" if scalar else f"({variable})")
     return rf"{left} = {_join(terms) or '0'} + \mathcal{{O}}(\lambda^{{{order + 1}}})"
 
 

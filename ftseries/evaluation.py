@@ -52,11 +52,12 @@ def fourier_sum(amplitude, tau):
     return (total * np.exp(1j * orders[0] * tau)).real
 
 
-def radius_estimate(table):
+def radius_estimate(table, algebraic=True):
     """The radius of convergence that the last two thirds of the coefficients suggest.
 
     Fits ``log c_m = α - m log R - p log m`` to c_m = Σ_n |A_{n,m}|, the form that an algebraic
-    singularity gives; None with fewer than eight non-zero Taylor orders to fit.
+    singularity gives, or without ``algebraic`` only a geometric sequence (p = 0); None with fewer
+    than eight non-zero Taylor orders to fit.
     """
     rows = np.abs(np.array(list(table.values()), dtype=float))
     if not rows.size:
@@ -66,16 +67,16 @@ def radius_estimate(table):
     m = m[m >= max(len(sums) // 3, 1)]
     if len(m) < 8:
         return None
-    design = np.stack([np.ones(len(m)), m, np.log(m)], axis=1)
-    _, slope, _ = np.linalg.lstsq(design, np.log(sums[m]), rcond=None)[0]
-    return float(np.exp(-slope))
+    design = np.stack([np.ones(len(m)), m, np.log(m)], axis=1)[:, :3 if algebraic else 2]
+    return float(np.exp(-np.linalg.lstsq(design, np.log(sums[m]), rcond=None)[0][1]))
 
 
 def warn_outside(table, name, lam):
     """Warn when |λ| is clearly outside the estimated radius of convergence."""
-    radius = radius_estimate(table)
     largest = float(np.max(np.abs(lam), initial=0.0))
-    if radius is not None and largest > 1.03 * radius:
+    fits = [radius_estimate(table, algebraic) for algebraic in (True, False)]
+    if None not in fits and largest > 1.03 * max(fits):
+        radius = (fits[0] * fits[1]) ** 0.5
         warnings.warn(f"λ = {largest:g} lies outside the radius of convergence of {name!r}, which "
                       f"its coefficients put near {radius:.3g}; the truncated sum is not an "
                       "approximation there", ConvergenceWarning, stacklevel=4)

@@ -151,6 +151,8 @@ class Problem:
         Names carried as symbols; exact coefficients are polynomials in them.
     frequency : str or None
         The scalar ω in τ = ωt; None where the period is 2π.
+    variable : str
+        How the independent variable is written.
     ahead : int
         How far Fourier orders may run ahead of Taylor orders: n ≤ m + ahead.  The paper has 0.
     surd : bool
@@ -161,6 +163,7 @@ class Problem:
     seed = {}
     parameters = ()
     frequency = None
+    variable = "t"
     ahead = 0
     surd = False
     #: every problem class by name, so that a saved solution finds its own

@@ -75,6 +75,7 @@ class Equations(Problem):
         self.parameters = tuple(_name(p) for p in parameters)
         self.frequency = None if frequency is None else _name(frequency)
         self.time, self.lam_name = sp.Symbol(_name(time)), _name(lam)
+        self.variable = self.time.name
         fields = [name for name, u in self.unknowns.items() if isinstance(u, Field)]
         known = {self.time.name, self.lam_name, *self.parameters, *self.unknowns}
         self._vocabulary = {name: sp.Symbol(name) for name in known} | {

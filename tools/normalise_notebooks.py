@@ -67,6 +67,7 @@ def execute(notebook, folder):
         timeout=TIMEOUT,
         resources={"metadata": {"path": str(folder)}},
         record_timing=False,
+        coalesce_streams=True,
         extra_arguments=["--IPKernelApp.log_level=ERROR"],
     ).execute()
 

@@ -25,6 +25,8 @@ def compose(c, inner):
     [1, 1, 2, 3, 5, 8, 13, 21]
     """
     _check_start(inner, "the inner series")
+    if not any(inner):
+        return [c[0]] + [0 * x for x in c[1:]]
     with _series(len(c), c, inner) as (make, numbers):
         return numbers(make(c)(make(inner)))
 

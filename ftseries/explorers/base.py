@@ -120,7 +120,7 @@ class Explorer(ipywidgets.VBox):
         self.add_class("ft-explorer")
 
     def __repr__(self):
-        return f"<{type(self.view).__name__}: {self.alt}>"
+        return f"Explorer. {self.alt}"
 
     def _repr_mimebundle_(self, **kwargs):
         bundle = super()._repr_mimebundle_(**kwargs)

@@ -29,7 +29,7 @@ def coefficient_triangle(ax, sol, name, order):
     >>> ax = Figure().add_subplot()
     >>> coefficient_triangle(ax, fts.solve(fts.CubicOscillator(), 4), "x", 4)
     >>> [len(marks.get_offsets()) for marks in ax.collections]    # places n ≤ m, with and without
-    [7, 8]
+    [9, 6]
     """
     size = {(m, n): abs(row[m]) for (_, n), row in sol.table(name).items()
             for m in range(order + 1) if row[m]}

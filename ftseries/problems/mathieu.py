@@ -42,6 +42,8 @@ class GeneralizedMathieu(Problem):
     -1/8
     """
 
+    variable = "x"
+
     def __init__(self, mu=None, branch="b1"):
         if mu is None or mu == sp.Symbol("mu"):
             self.mu, self.parameters = None, ("mu",)

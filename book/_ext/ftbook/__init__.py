@@ -3,10 +3,11 @@
 ``links``  launch buttons and repository links, when the repository's address is known;
 ``web``    MathJax and the widget code, from npm and PyPI into the built book;
 ``cache``  executed notebooks are reused only while the package is unchanged;
-``docstrings``  bars in the formulas of docstrings.
+``docstrings``  bars in the formulas of docstrings;
+``fallback``  a picture in the place of an explorer, for readers without JavaScript.
 """
 
-from ftbook import cache, docstrings, links, web
+from ftbook import cache, docstrings, fallback, links, web
 
 
 def setup(app):
@@ -14,4 +15,5 @@ def setup(app):
     app.connect("config-inited", cache.key_by_package)
     app.connect("builder-inited", web.add_web_files)
     app.connect("autodoc-process-docstring", docstrings.escape_bars)
+    app.connect("doctree-read", fallback.add_pictures, priority=100)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
