@@ -4,15 +4,14 @@ The first coefficients of a non-linear problem obey polynomial equations, such a
 paper, with several solutions.  Here they are unknown symbols (fields up to order 1, scalars at
 order 0), run through the problem's own equations as parameters of a polynomial ring; the equations
 of order 0, 1, 2, … that contain no later coefficient are solved one order after the other.
-Solutions without oscillation are left out, and of two that differ by the sign of a frequency or of
-the leading amplitude the positive one is kept: they are the same motion with time or phase
-reversed.
+Solutions without oscillation are left out.  Of two that become each other by τ to -τ with ω to -ω,
+or by τ to τ + π, the one with positive frequency or leading amplitude is kept.
 """
 
 import sympy as sp
 
 from .conversion import to_sympy
-from .errors import InputError, NonAnalyticError
+from .errors import ContradictionError, InputError, NonAnalyticError, UndeterminedError
 from .laurent import PolynomialRing, SurdRing
 from .problem import Scalar
 from .series import Expansion
@@ -36,30 +35,51 @@ def first_steps(problem, choice=None):
     Raises
     ------
     InputError
-        No solution, infinitely many, or several without ``choice``; the message shows them.
+        Several solutions without ``choice``, which the message shows; steps that are not
+        polynomial.
+    UndeterminedError, ContradictionError
+        Infinitely many solutions; none.
     """
+    amplitudes = [f"{name} at {n}" for name, u in problem.unknowns.items()
+                  for n in getattr(u, "fixed", ()) if not isinstance(n, tuple)]
+    if len(amplitudes) > 1:
+        raise InputError(f"several amplitudes are fixed ({', '.join(amplitudes)}), and only one "
+                         f"can be λ; give a seed for {', '.join(problem.unknowns)}")
     symbols = _symbols(problem)
     low = {s for (name, _, m), s in symbols.items() if _is_low(problem, name, m)}
-    branches = [({}, 0)]
+    branches = [{}]
     try:
         for order in range(_ORDERS):
-            branches = [(found, order) for known, _ in branches
+            branches = [found for known in branches
                         for found in _extend(problem, symbols, low, known, order)]
-    except (NonAnalyticError, InputError) as error:
-        raise InputError(f"the first steps cannot be solved automatically ({error}); give a seed "
+            if not branches:
+                raise ContradictionError(
+                    f"no first coefficients satisfy {', '.join(problem.expressions)} at order "
+                    f"{order} of λ: a resonance, or an ansatz without the symmetry of the motion; "
+                    "change the equations or the ansatz")
+    except (NonAnalyticError, InputError, NotImplementedError) as error:
+        terms = f"{', '.join(problem.delicate)} is not polynomial" if problem.delicate else error
+        raise InputError(f"the first steps cannot be solved automatically ({terms}); give a seed "
                          f"for {', '.join(problem.unknowns)}") from None
-    solutions = _distinct(problem, symbols, [known for known, _ in branches])
+    solutions = _distinct(problem, symbols, branches)
     free = {s for known in solutions for s in low if s not in known}
-    if free or not solutions:
-        what = (f"the equations leave {', '.join(sorted(map(str, free)))} free" if free
-                else "the first equations have no solution that oscillates")
-        raise InputError(f"{what}; give a seed for {', '.join(problem.unknowns)}, or fix what λ "
-                         "means")
+    if free:
+        labels = [_label(name, mode, m, problem.unknowns[name])
+                  for (name, mode, m), s in symbols.items() if s in free]
+        raise UndeterminedError(
+            f"the first equations leave {' and '.join(labels)} free, so λ has no concrete meaning "
+            f"yet; fix an amplitude or a phase ('fixed' in a Field), or give a seed for "
+            f"{', '.join(problem.unknowns)}")
+    if not solutions:
+        raise ContradictionError(
+            "the first equations have only solutions at rest within the ansatz; change it, or "
+            f"give a seed for {', '.join(problem.unknowns)}")
     seeds = [_seed(problem, symbols, known) for known in solutions]
     if len(seeds) > 1 and choice is None:
         shown = "; ".join(f"choice={i}: " + ", ".join(f"{n} = {e}" for n, e in seed.items())
                           for i, seed in enumerate(seeds))
-        raise InputError(f"{len(seeds)} solutions of the first steps: {shown}")
+        raise InputError(f"the first steps have {len(seeds)} solutions, select one of them: "
+                         f"{shown}")
     if choice is not None and choice not in range(len(seeds)):
         raise InputError(f"choice={choice!r}: there are {len(seeds)} solutions of the first steps")
     return seeds[choice or 0]
@@ -72,6 +92,12 @@ def _symbols(problem):
             for name, unknown in problem.unknowns.items()
             for m in range(_ORDERS + 1) for mode in unknown.columns(m + problem.ahead)
             if problem.in_powers(name, m)}
+
+
+def _label(name, mode, m, unknown):
+    wave = f" {'sin' if mode[0] else 'cos'} {mode[1]}τ" if mode[1] else " the mean"
+    return f"the coefficient {name}_{m}" if isinstance(unknown, Scalar) else \
+        f"the coefficient of{wave} in {name} at order {m} of λ"
 
 
 def _is_low(problem, name, m):
@@ -123,24 +149,31 @@ def _fixed(problem, name, unknown, m):
 
 
 def _distinct(problem, symbols, solutions):
-    """Without the motionless ones and the mirror images."""
-    kept = []
-    for known in solutions:
-        given = any(_fixed(problem, name, u, 1) for name, u in problem.unknowns.items())
-        oscillates = given or any(
-            known.get(s, s) != 0 for (name, mode, m), s in symbols.items()
-            if mode[1] and _is_low(problem, name, m))
-        frequency = symbols.get((problem.frequency, (0, 0), 0))
-        leading = next((known[s] for (name, mode, m), s in symbols.items()
-                        if m == 1 and mode[1] and known.get(s, 0) != 0), sp.S.One)
-        if oscillates and leading.is_negative is not True and (
-                frequency is None or known.get(frequency, sp.S.One).is_positive is not False):
-            kept.append(known)
-    return kept
+    """Without the motionless ones, and without those whose mirror image is kept."""
+    given = any(_fixed(problem, name, u, 1) for name, u in problem.unknowns.items())
+    moving = [known for known in solutions if given or any(
+        known.get(s, s) != 0 for (name, mode, m), s in symbols.items()
+        if mode[1] and _is_low(problem, name, m))]
+    frequency = symbols.get((problem.frequency, (0, 0), 0))
+    waves = {s: mode for (name, mode, m), s in symbols.items() if mode[1]}
+    mirrors = (lambda s: -1 if waves.get(s, (0, 0))[1] % 2 else 1,             # τ to τ + π
+               lambda s: -1 if s == frequency or waves.get(s, (0, 0))[0] else 1)        # τ to -τ
+    for key, mirror in zip((waves, {frequency}), mirrors, strict=True):
+        kept = []
+        for known in sorted(moving, key=lambda known, key=key: _is_negative(known, key)):
+            if {s: sp.simplify(mirror(s) * v) for s, v in known.items()} not in kept:
+                kept.append(known)
+        moving = kept
+    return moving
+
+
+def _is_negative(known, key):
+    """Is the first coefficient among ``key`` negative that is not zero?"""
+    return next((v.is_negative is True for s, v in known.items() if s in key and v != 0), False)
 
 
 def _seed(problem, symbols, known):
-    lam, t = sp.Symbol(problem.lam_name), problem.time
+    lam, t = sp.Symbol(problem.language.lam), sp.Symbol(problem.variable)
     omega = sp.Symbol(problem.frequency) if problem.frequency else 1
     seed = {}
     for name, unknown in problem.unknowns.items():

@@ -98,6 +98,16 @@ class RationalRing(_LaurentRing):
         d, p, c = part
         return self.reduced(d, fmpq_poly(p, c) * rational(number))
 
+    def multiply_modes(self, kind, part, multiplier):
+        d, p, c = part
+        values = p.coeffs()
+        real, imaginary = zip(*(multiplier(2 * i - d, self) for i in range(len(values) or 1)),
+                              strict=True)
+        sign = -1 if kind & 2 else 1
+        images = [(kind, [v * a for v, a in zip(values, real, strict=False)]),
+                  (kind ^ 2, [v * (sign * b) for v, b in zip(values, imaginary, strict=False)])]
+        return [(new, (d, fmpz_poly(image), c)) for new, image in images if any(image)]
+
     def root(self, value, alpha):
         alpha = rational(alpha)
         degree = int(alpha.q)
@@ -221,8 +231,8 @@ class BallRing(_LaurentRing):
         alpha = rational(alpha)
         root = value ** arb(alpha)
         if not root.is_finite():
-            raise InputError(f"({value})^({alpha}), a root of a negative number or a power of a ball "
-                             "with zero inside, is not real and finite; raise the precision")
+            raise InputError(f"({value})^({alpha}), a root of a negative number or a power of a "
+                             "ball with zero inside, is not real and finite; raise the precision")
         return root
 
     def is_zero(self, number):

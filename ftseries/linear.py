@@ -81,7 +81,7 @@ class DualRing(Ring):
 
 
 def tangent(problem, ring, base, direction, top):
-    """DR·T to order ``top``: a list of ``{row: number}``.
+    """DR·T at the orders 0, …, ``top``, one after the other, each a dict ``{row: number}``.
 
     ``base`` maps names to lists of ``{mode: number}``, ``direction`` is the list of the T_j, each a
     dict ``{column: number}``.
@@ -97,8 +97,9 @@ def tangent(problem, ring, base, direction, top):
             unknowns[name].set(k, Dual(ring.from_modes(known[k] if k < len(known) else {}),
                                        ring.from_modes({m: ring.number(c) for m, c in v.items()})))
     residuals = problem.residuals(expansion.lam, unknowns)
-    return [{(e, *mode): c for e, r in enumerate(residuals.values())
-             for mode, c in r[k].tangent.modes().items()} for k in range(top + 1)]
+    for k in range(top + 1):
+        yield {(e, *mode): c for e, r in enumerate(residuals.values())
+               for mode, c in r[k].tangent.modes().items()}
 
 
 class Elimination:
@@ -204,15 +205,17 @@ class LinearPart:
 
     def _leading_orders(self, columns):
         """s_e for every equation."""
-        shifts = {}
-        for c in columns:
-            probe = tangent(self.problem, self.ring, self.base, [{c: fmpq(1)}], REACH)
-            for k, rows in enumerate(probe):
-                for e, *_ in rows:
-                    shifts[e] = min(shifts.get(e, k), k)
         blank = Expansion(DualRing(self.ring))
         self.names = list(self.problem.residuals(
             blank.lam, {name: blank.unknown() for name in self.problem.unknowns}))
+        probes = [tangent(self.problem, self.ring, self.base, [{c: fmpq(1)}], REACH)
+                  for c in columns]
+        shifts = {}
+        for k, step in enumerate(zip(*probes, strict=True)):
+            for e, *_ in (row for rows in step for row in rows):
+                shifts.setdefault(e, k)
+            if len(shifts) == len(self.names):
+                break
         for e, name in enumerate(self.names):
             if e not in shifts:
                 raise ContradictionError(f"equation {name} does not depend on any unknown up to "
@@ -221,7 +224,8 @@ class LinearPart:
 
     def rows(self, direction, late):
         """(DR·T) at order ``late`` above the leading order of each equation, as rationals."""
-        probe = tangent(self.problem, self.ring, self.base, direction, late + max(self.shifts))
+        probe = list(tangent(self.problem, self.ring, self.base, direction,
+                             late + max(self.shifts)))
         return {(e, sine, n): self._rational(c, e) for e, s in enumerate(self.shifts)
                 for (row, sine, n), c in probe[late + s].items() if row == e}
 

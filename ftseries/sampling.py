@@ -30,7 +30,7 @@ class Samples:
         if not isinstance(number, (int, float, complex, np.ndarray, np.number)):
             number = rational(number)
             number = int(number.p) / int(number.q)
-        return Sampled(self, np.asarray(number)[..., None])
+        return Sampled(self, (np.asarray(number) + 0.0)[..., None])
 
     def parameter(self, name):
         return self.constant(self.parameters[name])

@@ -95,7 +95,7 @@ def solve(problem, order, arithmetic="exact", precision=128, progress=True):
     asked, order = order, max(order, *(len(rows) for rows in seed.values()))    # checks the seed
     linear = LinearPart(problem, ring, known, order + LATEST + problem.ahead)
     lead = order if arithmetic == "exact" else min(order, LEAD)
-    bar = tqdm(total=order, desc=f"order of {type(problem).__name__}", delay=3, leave=False,
+    bar = tqdm(total=order, desc=f"order of {type(problem).__name__}", delay=10, leave=False,
                disable=not progress)
     with bar:
         _Stages(problem, linear, ring, known, lead).run(bar)

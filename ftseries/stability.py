@@ -9,6 +9,7 @@ Here A comes from Hill's equation (M1), or from Newton's equations (E0) along po
 given, for instance by a Fourier-Taylor series.  In both cases M is symplectic: M^T J M = J, det = 1.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -139,6 +140,15 @@ class Hill(Monodromy):
         """Turn θ in radians per unit of x of the beating in a band, measured from the nearer edge."""
         return float(np.arccos(min(abs(self.discriminant) / 2, 1)) / self.period)
 
+    def departure(self, k):
+        """After k periods, the departure of the solution that would be periodic at the edge.
+
+        Relative to it, to leading order in the distance from the edge: cosh(kσT) - 1 in a gap,
+        1 - cos(kθT) in a band; both begin with the square of k.
+        """
+        k = np.asarray(k) * self.period
+        return np.cosh(k * self.rate) - np.cos(k * self.angle)
+
     @property
     def jordan(self):
         """At an edge: M ∓ 1, which is zero or nilpotent; elsewhere None."""
@@ -164,10 +174,13 @@ def hill(a, lam, mu=0.0, period=np.pi):
     if round(period / np.pi) < 1 or abs(period / np.pi - round(period / np.pi)) > 1e-12:
         raise InputError(f"period={period:g}: give π or a multiple of it")
 
-    def linear(x):                           # of (Y, dY/da): the second is driven by the first
-        block = np.array([[0, 1], [-a + lam**2 * np.cos(2 * x) + lam**4 * mu * np.cos(4 * x), 0]])
-        drive = np.array([[0, 0], [-1, 0]])
-        return np.block([[block, np.zeros((2, 2))], [drive, block]])
+    block = np.zeros((4, 4))                 # of (Y, dY/da): the second is driven by the first
+    block[0, 1], block[2, 3], block[3, 0] = 1, 1, -1
+
+    def linear(x):
+        block[1, 0] = block[3, 2] = (-a + lam**2 * math.cos(2 * x)
+                                     + lam**4 * mu * math.cos(4 * x))
+        return block
 
     both, change = monodromy(linear, period, 4)
     matrix = both[:2, :2]
@@ -193,16 +206,20 @@ class Bodies(Monodromy):
     defect: float
 
     @property
-    def essential(self):
-        """M without what the symmetries force: 4 × 4 for three bodies, free of Jordan blocks.
+    def basis(self):
+        """Orthonormal columns: disturbances that change no integral, without the symmetries.
 
-        The rows (J e)^T are left eigenvectors, the gradients of momentum, energy and angular
-        momentum.  On their common kernel, modulo the e, what remains of M is returned.
+        The gradients of momentum, energy and angular momentum are the (J e)^T, left eigenvectors
+        of M; the columns span their common kernel up to the e.
         """
         forced = orth(self.symmetries)
         kernel = null_space((_symplectic(len(self.matrix)) @ forced).T)
-        rest = kernel @ null_space(forced.T @ kernel, rcond=1e-6)
-        return rest.T @ self.matrix @ rest
+        return kernel @ null_space(forced.T @ kernel, rcond=1e-6)
+
+    @property
+    def essential(self):
+        """M on `basis`, modulo the symmetries: 4 × 4 for the eight, free of Jordan blocks."""
+        return self.basis.T @ self.matrix @ self.basis
 
     def rotation_numbers(self):
         """(ν, errors): 0 ≤ ν ≤ 1/2 of the essential multipliers exp(±2πiν), ascending.
@@ -261,9 +278,13 @@ def bodies(positions, period=2 * np.pi):
         raise InputError("two of the bodies meet: Newton's force is infinite there")
 
     n = 2 * len(modes)
-    matrix, change = monodromy(lambda t: np.block([
-        [np.zeros((n, n)), np.eye(n)], [_tidal(modes @ np.exp(rate * t)), np.zeros((n, n))]]),
-        period, 2 * n)
+    block = np.block([[np.zeros((n, n)), np.eye(n)], [np.zeros((n, 2 * n))]])
+
+    def linear(t):
+        block[n:, :n] = _tidal(modes @ np.exp(rate * t))
+        return block
+
+    matrix, change = monodromy(linear, period, 2 * n)
     r, v, force = (modes @ rate**k for k in range(3))
     one = np.ones_like(r)
     symmetries = np.stack([_state(one, 0 * r), _state(1j * one, 0 * r), _state(v, force),

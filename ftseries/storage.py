@@ -4,13 +4,13 @@ Format 1: ``{"format": "ftseries", "version": 1, "problem": {"name", "arguments"
 "order", "precision", "coefficients": {unknown: [[[sine, n, number], …] for each Taylor order]},
 "sha256"}``, the last one of everything else, so that no damage goes unnoticed.
 A rational is "p/q", a polynomial a dict from exponents "i,j" to rationals, a ball the four integers
-[midpoint mantissa, exponent, radius mantissa, exponent], which keep it bit for bit.
+[midpoint mantissa, exponent, radius mantissa, exponent]; FLINT reads the radius back with an upward
+rounding of 2^-30, so the ball still encloses what it did.
 """
 
 import hashlib
 import json
 import os
-import tempfile
 
 from flint import arb, fmpq
 
@@ -38,13 +38,15 @@ def save(solution, path):
         "precision": solution.precision,
         "coefficients": encoded(solution.coefficients),
     }
-    text = json.dumps(data | {"sha256": _digest(data)})
     path = os.fspath(path)
-    temporary = None
     try:
-        with tempfile.NamedTemporaryFile("w", dir=os.path.dirname(path) or ".", delete=False,
-                                         encoding="utf-8", suffix=".part") as file:
-            temporary = file.name
+        text = json.dumps(data | {"sha256": _digest(data)})
+    except (TypeError, ValueError):
+        raise FileError(f"cannot write {path!r}: the arguments of {solution.problem!r} are not "
+                        "plain JSON values; make its method 'arguments' return such") from None
+    temporary = f"{path}.{os.getpid()}.part"
+    try:
+        with open(temporary, "w", encoding="utf-8") as file:
             file.write(text)
             file.flush()
             os.fsync(file.fileno())
@@ -52,7 +54,7 @@ def save(solution, path):
     except OSError as error:
         raise FileError(f"cannot write {path!r}: {error.strerror}; choose another place") from error
     finally:
-        if temporary and os.path.exists(temporary):
+        if os.path.exists(temporary):
             os.unlink(temporary)
 
 

@@ -69,7 +69,7 @@ def sweep(make_problem, values, order, executor=None, progress=True, **options):
         raise InputError(f"executor={executor!r} has no method submit; give one like those of "
                          "concurrent.futures")
     results = [None] * len(values)
-    with tqdm(total=len(values), desc="sweep", delay=3, leave=False, disable=not progress) as bar:
+    with tqdm(total=len(values), desc="sweep", delay=10, leave=False, disable=not progress) as bar:
         if executor is None:
             for i, value in enumerate(values):
                 results[i] = _one(make_problem, value, order, options)

@@ -5,7 +5,7 @@ from fractions import Fraction
 import numpy as np
 from scipy.special import ellipk
 
-from ftseries import Field, FigureEight, Problem, Scalar, exp, sin
+from ftseries import Field, FigureEight, Problem, Scalar, cos, exp, sin
 
 
 class Duffing(Problem):
@@ -101,7 +101,6 @@ class CentralEight(FigureEight):
     """Z″ = -Q(Z f(|Z|)) with f(1) = 1, in lengths of |Z| at λ = 0."""
 
     def equations(self, lam, r, phi):
-        from ftseries import cos
         c, s = cos(phi), sin(phi)
         force = self.force(r)
         x, y = (force * c).neighbours(), (force * s).neighbours()
@@ -125,7 +124,7 @@ class PowerLawEight(CentralEight):
 class LemniscateEight(CentralEight):
     """Fujiwara, Fukuda, Ozaki: pair potential ½ ln r - (√3/24) r², on Bernoulli's lemniscate.
 
-    With the period T = 4K(k²), k² = (2 + √3)/4, and W = (2π/T)², the force is α/ρ - βρ in lengths c:
+    With the period T = 4K(k²), k² = (2 + √3)/4, and W = (2π/T)² the force is α/ρ - βρ in lengths c,
     β = √3/(4W), α = 3/(2Wc²) = 1 + β.
     """
 

@@ -1,4 +1,4 @@
-"""Exact, ball and float arithmetic agree; solved problems satisfy their equations by other routes."""
+"""Exact, ball and float arithmetic agree; solutions satisfy their equations by other routes."""
 
 from fractions import Fraction
 
@@ -159,7 +159,7 @@ def test_the_residual_of_a_truncation_falls_with_its_order(name):
         return max(np.abs(residual).max() for residual in ode(t, omega, **values))
 
     assert size(0.1) > 1e-11                             # above rounding: the ratio means something
-    assert 5.6 <= np.log2(size(0.2) / size(0.1)) <= 7.4   # order 6, or 7 where odd orders alone occur
+    assert 5.6 <= np.log2(size(0.2) / size(0.1)) <= 7.4     # order 6, or 7 with odd orders alone
 
 
 # --- the equations hold, by symbolic expansion in low order -------------------------------------
@@ -190,11 +190,12 @@ def vanishes_to(order, residual):
 
 @pytest.mark.parametrize("make", [Duffing, Pendulum, Exponential])
 def test_newton_equations_by_sympy(make):
-    solution = fts.solve(make(), 4 if make is Exponential else 5)
+    order = 4 if make is Exponential else 5
+    solution = fts.solve(make(), order)
     x, omega = symbolic(solution, "x"), symbolic(solution, "omega")
     force = {Duffing: x + x**3, Pendulum: x - x**3 / 6 + x**5 / 120,
              Exponential: sum(x**k / sp.factorial(k) for k in range(1, 5))}[make]
-    assert vanishes_to(4 if make is Exponential else 5, sp.expand(omega**2 * sp.diff(x, tau, 2) + force))
+    assert vanishes_to(order, sp.expand(omega**2 * sp.diff(x, tau, 2) + force))
 
 
 def test_first_order_system_by_sympy():

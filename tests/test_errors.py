@@ -361,8 +361,9 @@ def test_cosine_or_sine_must_be_said_where_there_are_both():
 
 @pytest.mark.parametrize("dps", [None, 20])
 @pytest.mark.parametrize("t, lam, words", [
-    (math.nan, 0.5, "t contains"), (math.inf, 0.5, "t contains"), ([0, -math.inf], 0.5, "t contains"),
-    (0, math.nan, "lam contains"), (0, math.inf, "lam contains"), (0, [0.1, math.nan], "lam contains"),
+    (math.nan, 0.5, "t contains"), (math.inf, 0.5, "t contains"),
+    ([0, -math.inf], 0.5, "t contains"), (0, math.nan, "lam contains"),
+    (0, math.inf, "lam contains"), (0, [0.1, math.nan], "lam contains"),
     (0, None, "lam"), ("x", 0.5, "t='x'"), (0, "x", "lam='x'"), (1j, 0.5, "t=1j"),
     (0, 0.5j, "lam=0.5j"), ([[1], [1, 2]], 0.5, "t=[[1], [1, 2]]"),
     ([1, 2], [0.1, 0.2, 0.3], "do not broadcast"),

@@ -109,7 +109,7 @@ class TestTable:
 
 
 def test_a_high_order_series_keeps_its_precision():
-    """1/(1 - λ cos τ)² at λ⁶⁰: coefficients of cos^60, exact binomials, to 60 products' rounding."""
+    """1/(1 - λ cos τ)² at λ⁶⁰ is 61 cos⁶⁰ τ: binomials, to the rounding of 60 products."""
     from math import comb
     ring = FloatRing(degree=60, order=60)
     expansion = Expansion(ring)

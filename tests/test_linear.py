@@ -72,8 +72,8 @@ def test_conversion_to_floats_solves_the_same(matrix):
 
 @pytest.mark.parametrize("make", PROBLEMS, ids=IDS)
 def test_the_tangent_is_the_derivative_of_the_residual(make):
-    """(R(U + hλT) - R(U - hλT))/2h for h = 1 and 2.  Up to order 3 of λ the residual is a polynomial
-    of degree 3 in h, so one step of Richardson's rule removes all but DR·λT, exactly."""
+    """(R(U + hλT) - R(U - hλT))/2h for h = 1 and 2.  Up to order 3 of λ the residual is a
+    polynomial of degree 3 in h, so one step of Richardson's rule removes all but DR·λT, exactly."""
     problem, ring, top = make(), RationalRing(), 3
     base = {name: list(rows) for name, rows in problem.first_coefficients().items()}
     columns = [(name, *mode) for name, u in problem.unknowns.items() for mode in u.columns(3)][::2]
@@ -100,7 +100,7 @@ def test_the_tangent_is_the_derivative_of_the_residual(make):
         return [{row: (p.get(row, fmpq(0)) - m.get(row, fmpq(0))) / (2 * h)
                  for row in set(p) | set(m)} for p, m in zip(plus, minus, strict=True)]
 
-    found = tangent(problem, ring, base, [{}, direction], top)
+    found = list(tangent(problem, ring, base, [{}, direction], top))
     one, two = difference(fmpq(1)), difference(fmpq(2))
     for k in range(top + 1):
         limit = {row: (4 * one[k].get(row, fmpq(0)) - two[k].get(row, fmpq(0))) / 3

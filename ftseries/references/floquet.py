@@ -1,7 +1,7 @@
 """Monodromy matrices by power series, and what is published about the eight's.
 
-Hill's equation (M1) is ψ'' = Q(x) ψ with an entire Q, so one power series reaches any x. From
-Q = Σ Q_j x^j follows (n + 1)(n + 2) ψ_{n+2} = Σ Q_j ψ_{n-j}, in as many digits as one likes.
+Hill's equation (M1) is ψ'' = Q(x) ψ with an entire Q: power series about any x, whose coefficients
+obey (n + 1)(n + 2) ψ_{n+2} = Σ Q_j ψ_{n-j}, converge everywhere. Short steps need few terms.
 
 The eight: the recurrences of `three_bodies` for the Taylor coefficients in time are differentiated
 by the initial values. After T/3 the bodies have changed places, state(T/3) = P state(0), so that
@@ -12,50 +12,60 @@ C. Simó (Celestial Mechanics, Contemporary Mathematics 292, 2002, pages 209-228
 numbers of the multipliers exp(±2πiν) that are not 1.
 """
 
+import math
+
 import mpmath
 import numpy as np
 
 from ftseries.errors import InputError
 from ftseries.references import newton
-from ftseries.references._input import digits, number
+from ftseries.references._input import GUARD, digits, number
 
 __all__ = ["ROTATION_NUMBERS", "figure_eight_monodromy", "hill_monodromy"]
 
 ROTATION_NUMBERS = (0.00842272, 0.29809253)
 ORDER, TOLERANCE = 24, 1e-18  # of the Taylor series in time
+STEPS, MOST_TERMS = 6, 400  # steps per unit of x; terms of one power series
 
 
 def hill_monodromy(a, lam, mu=0, end=None, dps=30):
     """The matrix of ψ, ψ' at x = `end` (π if left out) from ψ, ψ' at 0, to `dps` digits.
 
-    >>> mpmath.nprint(hill_monodromy(1, 0), 12)
-    [-1.0   0.0]
-    [ 0.0  -1.0]
+    >>> mpmath.nprint(hill_monodromy(a="0.25", lam=0, dps=15).apply(mpmath.chop), 12)
+    [ 0.0  2.0]
+    [-0.5  0.0]
     """
-    digits(dps)
-    with mpmath.workdps(2 * dps + 20):
+    with mpmath.workdps(digits(dps) + GUARD):
         a, lam, mu = number("a", a), number("lam", lam), number("mu", mu)
         end = +mpmath.pi if end is None else number("end", end)
-        if abs(end) > 10:
-            raise InputError("end must lie within ±10: the power series about 0 cancels beyond.")
-        q, matrix, quiet = [], [[1, 0], [0, 1]], 0
-        columns = [[mpmath.mpf(1), mpmath.mpf(0)], [mpmath.mpf(0), mpmath.mpf(1)]]
-        n, power = 0, end
-        while quiet < 8:
-            sign = (-1) ** (n // 2) * (n % 2 == 0)
-            part = lam**2 * mpmath.mpf(2) ** n + lam**4 * mu * mpmath.mpf(4) ** n
-            q.append(sign * part / mpmath.factorial(n) - (a if n == 0 else 0))
-            size = 0
-            for c, (row, slope) in zip(columns, ((0, 0), (1, 1))):
-                c.append(mpmath.fdot(q, c[n::-1]) / ((n + 1) * (n + 2)))
-                term = c[n + 2] * power
-                matrix[1][slope] += (n + 2) * term
-                matrix[0][row] += term * end
-                size = max(size, abs((n + 2) * term), abs(term * end))
-            quiet = quiet + 1 if size < mpmath.mpf(10) ** (-dps - 10) else 0
-            n, power = n + 1, power * end
-        matrix[0][1] += end
-        return mpmath.matrix(matrix)
+        steps = max(1, math.ceil(abs(end) * STEPS))
+        matrix = mpmath.eye(2)
+        for i in range(steps):
+            matrix = _hill_step(a, lam, mu, i * end / steps, end / steps) * matrix
+        return matrix
+
+
+def _hill_step(a, lam, mu, x, step):
+    """The same from x to x + step."""
+    q, power, matrix, small = [], step, mpmath.eye(2), mpmath.mpf(10) ** -(mpmath.mp.dps + 5)
+    matrix[0, 1] = step
+    columns, quiet = [[mpmath.mpf(1), mpmath.mpf(0)], [mpmath.mpf(0), mpmath.mpf(1)]], 0
+    for n in range(MOST_TERMS):
+        turn = n * mpmath.pi / 2  # the nth derivative of a cosine
+        q.append((lam**2 * 2**n * mpmath.cos(2 * x + turn)
+                  + lam**4 * mu * 4**n * mpmath.cos(4 * x + turn)) / mpmath.factorial(n)
+                 - (a if n == 0 else 0))
+        size = 0
+        for j, c in enumerate(columns):
+            c.append(mpmath.fdot(q, c[n::-1]) / ((n + 1) * (n + 2)))
+            term = c[-1] * power
+            matrix[0, j] += term * step
+            matrix[1, j] += (n + 2) * term
+            size = max(size, (n + 2) * abs(term))
+        quiet, power = quiet + 1 if size < small else 0, power * step
+        if quiet == 4:
+            return matrix
+    raise InputError("a, lam or mu is too large for these power series.")
 
 
 def figure_eight_monodromy():

@@ -144,7 +144,7 @@ def test_choreography(order_400):
     t = np.linspace(0, 2 * np.pi, 25)
     z = eight.positions(order_400, t, 2.0756839088491)
     late = eight.positions(order_400, t + 2 * np.pi / 3, 2.0756839088491)
-    assert np.abs(late - z[[2, 0, 1]]).max() < 1e-11         # each takes the place of the one before
+    assert np.abs(late - z[[2, 0, 1]]).max() < 1e-11          # each in the place of another
 
 
 def test_positions_of_many_lambdas(order_30):

@@ -57,24 +57,27 @@ def version():
 
 
 def fetch(cache):
-    """Fill ``cache/<version>/web``; an interrupted run leaves nothing behind."""
-    shutil.rmtree(cache, ignore_errors=True)
-    cache.mkdir(parents=True)
+    """Fill ``cache/<version>/web``; an interrupted or a second run leaves nothing half."""
+    cache.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=cache) as folder:
         work = Path(folder)
         for name in ("package.json", "package-lock.json", ".npmrc"):
             shutil.copy(PACKAGES / name, work)
         run_npm("ci", "--ignore-scripts", work=work)
-        files = [
-            (path, target)
-            for pattern, target in FROM_NPM.items()
-            for path in sorted((work / "node_modules").glob(pattern))
-        ]
-        files.append((anywidget_script(), "anywidget"))
+        files = [(anywidget_script(), "anywidget")]
+        for pattern, target in FROM_NPM.items():
+            found = sorted((work / "node_modules").glob(pattern))
+            if not found:
+                raise OSError(f"npm brought no {pattern}")
+            files += [(path, target) for path in found]
         for path, target in files:
             (work / "files" / "web" / target).mkdir(parents=True, exist_ok=True)
             shutil.copy(path, work / "files" / "web" / target)
-        (work / "files").rename(cache / version())
+        if not (cache / version()).exists():        # another build may have been faster
+            (work / "files").rename(cache / version())
+    for old in cache.glob("[0-9a-f]" * 16):
+        if old.name != version():
+            shutil.rmtree(old, ignore_errors=True)
 
 
 def run_npm(*arguments, work):

@@ -1,0 +1,89 @@
+"""Pictures of the chapter on convergence: ratios, singularities, errors against order."""
+
+import numpy as np
+
+from ..analysis import domb_sykes
+from .style import BLUE, COLOURS, GREEN, GREY, LINES, PURPLE, VERMILION
+
+__all__ = ["ratios", "approach", "plane", "radius", "oscillation", "errors"]
+
+_MARKS = ("o", "s", "^", "D")
+
+
+def ratios(ax, sequences, limit):
+    """The plot of Domb and Sykes: c_k/c_{k-1} over 1/k, one set of points for each sequence.
+
+    ``sequences`` maps a label to coefficients; ``limit`` is the reciprocal of the true singularity.
+
+    >>> from matplotlib.figure import Figure
+    >>> ax = Figure().subplots()
+    >>> ratios(ax, {"geometric": [1.0, 0.5, 0.25]}, 0.5)
+    >>> len(ax.lines)
+    2
+    """
+    for (label, c), colour, mark in zip(sequences.items(), COLOURS, _MARKS, strict=False):
+        x, y = np.transpose(domb_sykes(c))
+        ax.plot(x, y, mark, color=colour, ms=5, mfc="none", ls="none", label=label)
+    ax.axhline(limit, color=GREY, ls=":", lw=1.2)
+    ax.set(xlabel="$1/k$", ylabel="$c_k/c_{k-1}$", xlim=(0, None))
+    ax.legend()
+
+
+def approach(ax, distance, errors, label):
+    """Errors over the distance from a singularity, both logarithmic; ``errors``: dict of arrays."""
+    for (name, values), colour, line, mark in zip(errors.items(), COLOURS, LINES, _MARKS,
+                                                  strict=False):
+        ax.loglog(distance, np.maximum(values, 1e-17), color=colour, ls=line, marker=mark, ms=4,
+                  label=name)
+    ax.invert_xaxis()
+    ax.set(xlabel=label, ylabel="error")
+    ax.legend()
+
+
+def plane(ax, singularities, poles=(), inside=None, span=None, label="$z$"):
+    """The complex plane with poles, singularities and the circle of convergence through the nearest.
+
+    ``inside`` maps labels to further points, such as the physical value.
+    """
+    turn = np.exp(1j * np.linspace(0, 2 * np.pi, 361))
+    circle = abs(singularities[0]) * turn
+    ax.plot(circle.real, circle.imag, color=GREY, lw=1.2, ls="-", label="circle of convergence")
+    poles = np.asarray(poles, dtype=complex)
+    ax.plot(poles.real, poles.imag, "x", color=BLUE, ms=5, ls="none", label="Padé poles")
+    places = np.asarray(singularities, dtype=complex)
+    ax.plot(places.real, places.imag, "o", color=VERMILION, ms=9, mfc="none", mew=2, ls="none",
+            label="branch points")
+    for (name, z), mark in zip((inside or {}).items(), ("*", "P"), strict=False):
+        ax.plot([z.real], [z.imag], mark, color=GREEN, ms=12, ls="none", label=name)
+    span = span or 1.6 * abs(singularities[0])
+    ax.set(xlim=(-span, span), ylim=(-span, span), aspect="equal", xlabel=f"Re {label}",
+           ylabel=f"Im {label}")
+    ax.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+
+
+def radius(ax, mu, values, errors, known):
+    """Radius of convergence over μ with error bars; ``known``: (μ, radius) from elsewhere."""
+    ax.errorbar(mu, values, yerr=errors, color=BLUE, marker="o", ms=4, lw=1.5, capsize=3,
+                label="from the series")
+    ax.plot(*np.transpose(known), "s", color=VERMILION, ms=9, mfc="none", mew=2, ls="none",
+            label="double eigenvalue")
+    ax.set(xlabel=r"$\mu$", ylabel=r"radius of convergence in $\lambda$", ylim=(0, None))
+    ax.legend()
+
+
+def oscillation(ax, orders, seen, predicted):
+    """A scaled error over the order: points, and the curve that the branch points predict."""
+    ax.plot(*predicted, color=VERMILION, ls="-", lw=1.5, label="predicted period")
+    ax.plot(orders, seen, "o", color=BLUE, ms=5, ls="none", label="seen")
+    ax.axhline(0, color=GREY, lw=0.8)
+    ax.set(xlabel="order $n$", ylabel=r"$(\lambda_n-\lambda_0)\,(\rho/\lambda_0)^n\,(n/2)^{3/2}$")
+    ax.legend()
+
+
+def errors(ax, curves, label="largest distance"):
+    """Errors over the order; ``curves`` maps a label to (orders, errors)."""
+    for (name, (orders, values)), colour, line, mark in zip(
+            curves.items(), (BLUE, VERMILION, GREEN, PURPLE), LINES, _MARKS, strict=False):
+        ax.semilogy(orders, values, color=colour, ls=line, marker=mark, ms=4, label=name)
+    ax.set(xlabel="order $n$", ylabel=label)
+    ax.legend()

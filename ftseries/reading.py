@@ -1,0 +1,196 @@
+r"""The language of equations: text, SymPy equations and expressions, read and written.
+
+====================  =============================================
+``x``, ``x(t)``       the field x at the time t
+``x''``               its second derivative by t
+``x(t - 2*pi/3)``     the field at another time
+``=``                 separates the sides; without it "= 0" is meant
+``^`` and ``**``      powers
+====================  =============================================
+
+Only names that were declared may occur, besides sin, cos, exp, sqrt, pi and diff.  A decimal is the
+fraction that it looks like.
+"""
+
+import ast
+import keyword
+import re
+from dataclasses import dataclass, field
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from .errors import InputError
+
+__all__ = ["Language", "name_of"]
+
+_SAFE = (ast.Expression, ast.BinOp, ast.UnaryOp, ast.Constant, ast.Name, ast.Load, ast.Call,
+         ast.operator, ast.unaryop)
+_FUNCTIONS = {"sin": sp.sin, "cos": sp.cos, "exp": sp.exp, "sqrt": sp.sqrt, "diff": sp.diff}
+_KNOWN = _FUNCTIONS | {"pi": sp.pi}
+
+
+def name_of(key):
+    """The name of a SymPy symbol or function, or a name.
+
+    >>> name_of(sp.Symbol("omega")), name_of(sp.Function("x")), name_of("x")
+    ('omega', 'x', 'x')
+    """
+    name = key if isinstance(key, str) else getattr(key, "name", None) or getattr(
+        key, "__name__", None)
+    if not isinstance(name, str) or not name.isidentifier():
+        raise InputError(f"{key!r} is not a name; give a SymPy symbol or function, or its name")
+    if keyword.iskeyword(name):
+        raise InputError(f"{name!r} is a word of Python's own; choose another name, such as "
+                         f"{name[:3]!r}")
+    if name in _KNOWN:
+        raise InputError(f"{name!r} has a meaning in equations already; choose another name")
+    return name
+
+
+@dataclass(frozen=True)
+class Language:
+    """The names that equations may contain; ``values`` are put in wherever a name stands.
+
+    Examples
+    --------
+    >>> language = Language(time="t", lam="lam", fields=("x",), scalars=("omega",))
+    >>> e = language.equation("x'' = -x(t - 2*pi/3)^2 + 0.5*lam")
+    >>> e
+    -lam/2 + x(t - 2*pi/3)**2 + Derivative(x(t), (t, 2))
+    >>> language.written(e)
+    "-lam/2 + x'' + x(t - 2*pi/3)**2"
+    """
+
+    time: str
+    lam: str
+    fields: tuple
+    scalars: tuple = ()
+    parameters: tuple = ()
+    values: dict = field(default_factory=dict)
+
+    def __post_init__(self):
+        names = [self.time, self.lam, *self.fields, *self.scalars, *self.parameters]
+        twice = sorted({name for name in names if names.count(name) > 1})
+        if twice:
+            raise InputError(f"{', '.join(twice)} is declared twice; each unknown, each "
+                             "parameter, λ and the time needs a name of its own")
+
+    @property
+    def symbols(self):
+        """Name to symbol, of everything but the fields."""
+        names = (self.time, self.lam, *self.scalars, *self.parameters)
+        return {name: sp.Symbol(name) for name in names}
+
+    def equation(self, source):
+        """An expression that is to vanish, from a text, a SymPy Eq or an expression."""
+        if isinstance(source, str):
+            sides = source.split("=")
+            if len(sides) > 2:
+                raise InputError(f"{source!r} has more than one '='; write one equation, with one "
+                                 "'='")
+            parts = [self._read(side, source) for side in sides]
+            return self._own(parts[0] - parts[1] if len(parts) == 2 else parts[0])
+        if isinstance(source, sp.Equality):
+            return self._own(source.lhs - source.rhs)
+        return self.expression(source)
+
+    def expression(self, source):
+        """An expression, from a text or from SymPy."""
+        if isinstance(source, str):
+            return self._own(self._read(source, source))
+        try:
+            e = sp.sympify(source)
+        except sp.SympifyError:
+            e = None
+        if not isinstance(e, sp.Expr):
+            raise InputError(f"{source!r} is not an equation; give a SymPy Eq, an expression or a "
+                             "text")
+        return self._own(e)
+
+    def written(self, e):
+        """An expression as text that :meth:`equation` reads again: x'' for derivatives."""
+        time = sp.Symbol(self.time)
+
+        def primed(f, times=0):
+            at = "" if f.args[0] == time else f"({f.args[0]})"
+            return sp.Symbol(f.func.__name__ + "'" * times + at)
+
+        def at_point(inner, variables, point):
+            f = inner.expr.xreplace({variables[0]: point[0]})
+            return primed(f, int(inner.derivative_count))
+        e = e.replace(sp.Subs, at_point)
+        e = e.replace(lambda d: isinstance(d, sp.Derivative),
+                      lambda d: primed(d.expr, int(d.derivative_count)))
+        return str(e.replace(lambda f: isinstance(f, AppliedUndef), primed))
+
+    def _own(self, e):
+        """The expression in this language's symbols, decimals as fractions, values put in."""
+        symbols = self.symbols | {name: sp.sympify(v) for name, v in self.values.items()}
+        e = e.subs({s: symbols[s.name] for s in e.free_symbols if s.name in symbols})
+        return e.xreplace({x: sp.Rational(str(x)) for x in e.atoms(sp.Float)}).doit()
+
+    def _read(self, text, whole):
+        """One side of an equation given as text."""
+        source = self._with_time(text.replace("^", "**").strip(), whole)
+        try:
+            nodes = list(ast.walk(ast.parse(source, mode="eval")))
+        except SyntaxError:
+            raise InputError(f"{whole!r} cannot be read: {text.strip()!r} is not an expression; "
+                             "write products with * and powers with **") from None
+        known = {*self.symbols, *self.values, *self.fields, *_KNOWN}
+        strange = {n.id for n in nodes if isinstance(n, ast.Name)} - known
+        if strange:
+            raise InputError(f"{whole!r} contains {', '.join(sorted(strange))}, which is neither "
+                             "an unknown, a parameter, λ, the time nor a function known here (sin, "
+                             "cos, exp, sqrt); declare it or correct it")
+        calls = {getattr(n.func, "id", "a number or a bracket")
+                 for n in nodes if isinstance(n, ast.Call)}
+        wrong = calls - set(self.fields) - set(_FUNCTIONS)
+        if wrong:
+            raise InputError(f"{whole!r} calls {', '.join(sorted(wrong))}, which is not a function "
+                             "of time; declare it as a Field, or write the product with *")
+        try:
+            if not all(isinstance(n, _SAFE) and isinstance(getattr(n, "value", 0), (int, float))
+                       for n in nodes):
+                raise TypeError
+            functions = {name: sp.Function(name) for name in self.fields}
+            names = self.symbols | {v: sp.Symbol(v) for v in self.values} | functions
+            result = sp.sympify(source, locals={**_KNOWN, **names}, rational=True)
+        except (sp.SympifyError, TypeError, ValueError, AttributeError):
+            result = None
+        if not isinstance(result, sp.Expr):
+            raise InputError(f"{whole!r} cannot be read; use numbers, names, + - * / ** and calls "
+                             "such as sin(x)")
+        return result
+
+    def _with_time(self, text, whole):
+        """x'' as diff(x(t), t, 2), x as x(t)."""
+        if not self.fields:
+            return text
+        pattern = re.compile(rf"\b({'|'.join(map(re.escape, self.fields))})\b\s*('*)\s*(\()?")
+        out, end = [], 0
+        while match := pattern.search(text, end):
+            name, primes, bracket = match.groups()
+            out.append(text[end:match.start()])
+            end = match.end() if bracket else match.end(2)
+            argument = self.time
+            if bracket:
+                argument, end = self._bracket(text, end, whole)
+                if self.time not in re.findall(r"\w+", argument):
+                    raise InputError(f"{whole!r} contains {name}({argument}), but {name} is a "
+                                     f"function of the time {self.time}; write {name}({self.time})"
+                                     f" or {name}({self.time} - 2*pi/3), and products with *")
+            f = f"{name}({argument})"
+            out.append(f"diff({f}, {self.time}, {len(primes)})" if primes else f)
+        return "".join(out) + text[end:]
+
+    @staticmethod
+    def _bracket(text, start, whole):
+        """(what stands in the bracket that opens before ``start``, where it ends)."""
+        depth = 1
+        for i in range(start, len(text)):
+            depth += {"(": 1, ")": -1}.get(text[i], 0)
+            if depth == 0:
+                return text[start:i], i + 1
+        raise InputError(f"{whole!r} has a bracket that is not closed")

@@ -1,0 +1,247 @@
+r"""From SymPy expressions to series.
+
+Formula.  With t the time, τ = ωt and unknowns u(t) = s_u U(τ; λ), ω = s_ω Ω, where the *scales* s
+are the irrational leading coefficients of the seed,
+
+====================  ==================================
+d^k u/dt^k            ω^k d^k U/dτ^k
+u(t + c)              U(τ + ωc), ωc a rational part of 2π
+cos nωt, sin nωt      known functions
++ - * / powers        the same, exponents rational
+exp, sin, cos         the same, of an argument that vanishes at λ = 0
+====================  ==================================
+
+A subexpression is translated to (factor, function): the SymPy number ``factor`` collects the
+scales, the function builds the rest from series.  Terms of a sum must have rational ratios of their
+factors; anything else is refused by name.  No term is ever dropped.
+"""
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from .errors import InputError
+from .problem import Field, Scalar
+from .trig import rational
+
+__all__ = ["Translator", "harmonic", "lead", "plain"]
+
+
+def plain(number):
+    """A SymPy number, written so that a rational one is seen to be rational.
+
+    >>> plain(sp.sqrt(12) / sp.sqrt(3)), plain(sp.cbrt(3) / (2 * sp.Integer(3)**sp.Rational(-2, 3)))
+    (2, 3/2)
+    """
+    if number.is_Rational:
+        return number
+    return sp.radsimp(sp.powsimp(sp.simplify(number), force=True))
+
+
+def harmonic(wave, time, omega):
+    """n in cos(nωt) or sin(nωt); None for anything else."""
+    if not isinstance(wave, (sp.sin, sp.cos)):
+        return None
+    n = plain(sp.simplify(wave.args[0] / (omega * time)))
+    return int(n) if n.is_Integer and n > 0 else None
+
+
+class Translator:
+    """Translates the equations of one problem.
+
+    Attributes
+    ----------
+    surd : bool
+        Was there a shift that brings √3 into single terms?
+    delicate : list
+        (equation, subexpression, function) of each power, exp, sin and cos: what may fail to be
+        analytic at λ = 0.
+    """
+
+    def __init__(self, problem, language, scales):
+        self.problem, self.language, self.scales = problem, language, scales
+        self.time = sp.Symbol(language.time)
+        self.omega = sp.Symbol(problem.frequency) if problem.frequency else sp.S.One
+        self.surd, self.delicate = False, []
+
+    def residual(self, e, where):
+        """The function that builds the residual of an equation from series."""
+        mentioned = {s.name for s in e.free_symbols} | {
+            f.func.__name__ for f in e.atoms(AppliedUndef)}
+        if not mentioned & set(self.problem.unknowns):
+            raise InputError(f"equation {where}, {self.language.written(e)} = 0, contains no "
+                             "unknown; check what was declared")
+        return self.build(e, where)[1]
+
+    def build(self, e, where):
+        """(factor, function): e = factor · function(series)."""
+        if not e.free_symbols and not e.atoms(AppliedUndef):
+            if not e.is_finite or e.is_real is False:
+                raise InputError(f"equation {where} contains the number {e}; it must be finite "
+                                 "and real")
+            return e, _one                                   # 2/3, sqrt(3), pi
+        if e.is_Symbol:
+            return self._symbol(e, where)
+        if e.is_Add:
+            return self._sum(e, where)
+        if e.is_Mul:
+            factors, builds = zip(*(self.build(arg, where) for arg in e.args), strict=True)
+            return sp.Mul(*factors), _product([b for b in builds if b is not _one])
+        if e.is_Pow and e.exp.is_Rational:
+            return self._power(e, where)
+        if isinstance(e, (sp.Derivative, sp.Subs, AppliedUndef)):
+            return self._field(e, where)
+        if isinstance(e, (sp.sin, sp.cos, sp.exp)):
+            return self._function(e, where)
+        raise InputError(f"equation {where} contains {self.language.written(e)}, which has no "
+                         "Fourier-Taylor series here; only + - * /, rational powers, exp, sin and "
+                         "cos are known")
+
+    def _symbol(self, e, where):
+        name, problem = e.name, self.problem
+        if name == self.language.lam:
+            return sp.S.One, lambda env: env["lam"]
+        if name in problem.parameters:
+            return sp.S.One, lambda env: env["lam"].expansion.parameter(name)
+        if isinstance(problem.unknowns.get(name), Scalar):
+            return self.scales.get(name, sp.S.One), lambda env: env[name]
+        if isinstance(problem.unknowns.get(name), Field):
+            raise InputError(f"equation {where} contains the bare symbol {name}; write "
+                             f"{name}({self.time})")
+        if e == self.time:
+            raise InputError(f"equation {where} contains the time {e} outside of cos and sin of "
+                             f"n*{self.omega}*{e}, so it is not periodic; leave it out, or expand "
+                             "with an addition theorem")
+        raise InputError(f"equation {where} contains {name}, which is neither an unknown, a "
+                         "parameter nor λ; declare it, or give it a value")
+
+    def _sum(self, e, where):
+        parts = [self.build(arg, where) for arg in e.args]
+        common = parts[0][0]
+        weighted = []
+        for arg, (factor, build) in zip(e.args, parts, strict=True):
+            ratio = plain(factor / common)
+            if not ratio.is_Rational:
+                first, other = map(self.language.written, (e.args[0], arg))
+                raise InputError(f"equation {where}: the term {other} differs from {first} by the "
+                                 f"factor {ratio}, which is not rational; choose other units")
+            weighted.append((rational(ratio), build))
+
+        def build(env):
+            total = None
+            for weight, part in weighted:
+                term = part(env)
+                if part is _one:
+                    term = env["lam"].expansion.constant(weight)
+                elif weight != 1:
+                    term = term * weight
+                total = term if total is None else total + term
+            return total
+        return common, build
+
+    def _power(self, e, where):
+        factor, inner = self.build(e.base, where)
+        exponent = rational(e.exp)
+        sign = -1 if factor.is_negative else 1              # (-2x)^(1/2) is 2^(1/2) (-x)^(1/2)
+
+        def build(env):
+            base = inner(env)
+            return (base if sign == 1 else -base) ** exponent
+        if exponent.q != 1 or exponent < 0:
+            self.delicate.append((where, e, build))
+        return (sign * factor) ** e.exp, build
+
+    def _field(self, e, where):
+        """u(t + c) or a time derivative of it."""
+        times, inner, shift = 0, e, sp.S.Zero
+        text = self.language.written(e) if not isinstance(e, sp.Derivative) else str(e)
+        if isinstance(inner, sp.Subs):
+            shift = inner.point[0] - self.time
+            inner = inner.expr.xreplace({inner.variables[0]: self.time})
+        if isinstance(inner, sp.Derivative):
+            if set(inner.variables) != {self.time}:
+                raise InputError(f"equation {where}: {text} is not a derivative by {self.time}")
+            inner, times = inner.expr, len(inner.variables)
+        name = getattr(inner.func, "__name__", "")
+        if not isinstance(self.problem.unknowns.get(name), Field) or len(inner.args) != 1:
+            raise InputError(f"equation {where} contains {text}, but {name} is not declared as a "
+                             "Field; declare it or correct it")
+        if times > 2:
+            raise InputError(f"equation {where} contains {text}: derivatives up to the second are "
+                             "known; write the equation as a system")
+        shift += inner.args[0] - self.time
+        turn = plain(sp.simplify(shift * self.omega / (2 * sp.pi)))
+        if not turn.is_Rational:
+            raise InputError(f"equation {where}: in {text} the time differs from {self.time} by "
+                             f"{shift}, which is not a rational part of the period "
+                             f"{2 * sp.pi / self.omega}; only such shifts are known")
+        fraction, frequency = rational(turn), self.problem.frequency
+        self.surd = self.surd or 4 % fraction.q != 0
+
+        def build(env):
+            series = env[name]
+            if times:
+                series = series.diff(times)
+                if frequency:
+                    series = env[frequency] ** times * series
+            return series.shift(fraction) if fraction else series
+        speed = self.scales.get(frequency, sp.S.One) ** times
+        return self.scales.get(name, sp.S.One) * speed, build
+
+    def _function(self, e, where):
+        which, n = type(e).__name__, harmonic(e, self.time, self.omega)
+        if n:
+            return sp.S.One, lambda env: getattr(env["lam"].expansion, which)(n)
+        if not isinstance(e, sp.exp) and e.args[0].has(self.time) and not e.atoms(AppliedUndef) \
+                and sp.diff(e.args[0], self.time, 2) == 0:
+            raise InputError(f"equation {where} contains {e}, which does not have the period of "
+                             f"the ansatz; measure time so that it becomes {which}(n*{self.omega}*"
+                             f"{self.time}) with a whole n")
+        factor, build = self.build(e.args[0], where)
+        factor = plain(factor)
+        if not factor.is_Rational:
+            raise InputError(f"equation {where}: the argument of {self.language.written(e)} has "
+                             f"the factor {factor}, which is not rational; choose other units")
+        weight = rational(factor)
+
+        def apply(env):
+            inner = build(env)
+            return getattr(inner * weight if weight != 1 else inner, which)()
+        self.delicate.append((where, e, apply))
+        return sp.S.One, apply
+
+
+def lead(e, problem, language):
+    """How far the Fourier orders of the known functions in an expression run ahead of λ.
+
+    λ^m cos nωt has n - m; the unknowns count 0.  Sums have the largest, products the sum.
+    """
+    if e.is_Symbol:
+        return -1 if e.name == language.lam else 0
+    omega = sp.Symbol(problem.frequency) if problem.frequency else 1
+    n = harmonic(e, sp.Symbol(language.time), omega)
+    if n or not e.args or isinstance(e, (AppliedUndef, sp.Derivative, sp.Subs)):
+        return n or 0
+    parts = [lead(arg, problem, language) for arg in e.args]
+    if e.is_Add:
+        return max(parts)
+    if e.is_Mul:
+        return sum(parts)
+    if e.is_Pow and e.exp.is_Integer and e.exp > 0:
+        return int(e.exp) * parts[0]
+    return sp.oo if parts[0] > 0 else 0
+
+
+def _one(env):
+    return 1
+
+
+def _product(builds):
+    if not builds:
+        return _one
+
+    def build(env):
+        total = None
+        for part in builds:
+            total = part(env) if total is None else total * part(env)
+        return total
+    return build

@@ -1,0 +1,99 @@
+"""What the browser tests know about pages: how to serve, watch and use them."""
+
+import contextlib
+import functools
+import http.server
+import threading
+from dataclasses import dataclass, field
+
+# html-manager's JSON schema validator says this about html-manager's own schema, once a schema.
+KNOWN = ("strict mode: use allowUnionTypes",)
+NAMES = ("cubic", "mathieu", "figure_eight", "coefficients")    # their order on the page
+
+
+@contextlib.contextmanager
+def served(folder):
+    """The address at which a folder is served over http."""
+    class Handler(http.server.SimpleHTTPRequestHandler):
+        def log_message(self, *args):
+            pass
+
+    handler = functools.partial(Handler, directory=str(folder))
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()
+
+
+@dataclass
+class Watched:
+    """A page, with what it wrote to the console and what it asked for."""
+
+    page: object
+    home: str
+    said: list = field(default_factory=list)
+    asked: list = field(default_factory=list)
+
+    def hear(self, message):
+        url = message.location["url"]
+        if (message.type in ("warning", "error") and not message.text.startswith(KNOWN)
+                and not url.endswith("/favicon.ico")):      # which browsers ask of every server
+            self.said.append(f"{message.type}: {message.text} ({url})")
+
+    def is_local(self, url):
+        return url.startswith((self.home, "blob:", "data:", "about:"))
+
+    @property
+    def outside(self):
+        return [url for url in self.asked if not self.is_local(url)]
+
+
+class Explorer:
+    """One explorer on a page: its controls by name, its state, its numbers."""
+
+    def __init__(self, page, number):
+        self.page = page
+        self.box = page.locator(".ft-explorer").nth(number)
+        self.box.locator(".ft-status:not(:empty)").wait_for()
+        self.box.scroll_into_view_if_needed()
+
+    @property
+    def status(self):
+        self.page.wait_for_timeout(200)         # the announcement is at most 0.1 s late
+        return self.box.locator(".ft-status").inner_text()
+
+    @property
+    def note(self):
+        self.page.wait_for_timeout(100)
+        return self.box.locator(".ft-note").text_content()
+
+    @property
+    def readings(self):
+        """``{name: text}`` of the numbers below the pictures."""
+        self.page.wait_for_timeout(100)
+        return dict(self.box.locator(".ft-readings").evaluate(
+            "list => [...list.children].map(pair => [...pair.children].map(x => x.textContent))"))
+
+    def number(self, name):
+        return float(self.readings[name].replace("−", "-"))
+
+    def pictures(self):
+        """The pixels of all canvases."""
+        self.page.wait_for_timeout(100)
+        return self.box.locator("canvas").evaluate_all("all => all.map(c => c.toDataURL())")
+
+    def handle(self, name):
+        return self.box.get_by_role("slider", name=name, exact=True)
+
+    def value(self, name):
+        return float(self.handle(name).get_attribute("aria-valuenow"))
+
+    def button(self, name):
+        return self.box.get_by_role("button", name=name)
+
+    def type(self, name, text):
+        readout = self.box.get_by_role("textbox", name=f"{name}, typed")
+        readout.click()
+        self.page.keyboard.press("Control+a")
+        self.page.keyboard.type(str(text))
+        self.page.keyboard.press("Enter")

@@ -1,0 +1,99 @@
+"""Newton's method from a truncated series, against closed forms and integration."""
+
+import math
+import warnings
+
+import numpy as np
+import pytest
+
+import ftseries as fts
+from ftseries.references import cubic, mathieu, newton
+
+T = np.linspace(-3, 9, 200)
+
+
+@pytest.fixture(scope="module")
+def eight():
+    return fts.solve(fts.FigureEight(), order=6)
+
+
+def test_the_eight_from_order_six(eight):
+    orbit = eight.refine()
+    assert abs(orbit.lam - newton.figure_eight_lambda()) < 4e-15
+    gap = fts.figure_eight.positions(orbit, T, orbit.lam) - newton.figure_eight(T)
+    assert np.abs(gap).max() < 5e-14                    # the reference itself is good to 1e-14
+    assert orbit.residual < 1e-12 and orbit.steps < 20
+    assert abs(fts.figure_eight.closure(orbit, orbit.lam)) < 1e-13
+
+
+@pytest.mark.parametrize("order", [2, 4, 12, 30])
+def test_the_first_guess_does_not_change_the_eight(order):
+    orbit = fts.solve(fts.FigureEight(), order=order).refine()
+    assert abs(orbit.lam - newton.figure_eight_lambda()) < 4e-15
+
+
+def test_a_refined_series_is_the_series_where_that_is_accurate(eight):
+    orbit, exact = eight.refine(0.8), fts.solve(fts.FigureEight(), order=40)
+    for name in ("r", "phi"):
+        gap = orbit.evaluate(name, T) - exact.evaluate(name, T, lam=0.8)
+        assert np.abs(gap).max() < 2e-14
+    assert orbit.coefficients["phi"][0, 1] == 0.8         # λ keeps its meaning
+
+
+@pytest.mark.parametrize("a", [1, 2])
+@pytest.mark.parametrize("lam", [0.0, 0.5, 1.0, 2.0, 2.5, -1.0])
+def test_oscillator_against_jacobi_functions(lam, a):
+    orbit = fts.solve(fts.CubicOscillator(a=a), order=12).refine(lam * a)
+    assert abs(orbit.evaluate("omega") - cubic.frequency(lam * a, a)) < 3e-13
+    assert np.abs(orbit.evaluate("x", T) - cubic.position(T, lam * a, a)).max() < 3e-12
+
+
+def test_oscillator_close_to_the_separatrix():
+    """At λ = 2.99 the nome is 0.26 and the period 2.8 times longer: more modes are taken."""
+    orbit = fts.solve(fts.CubicOscillator(a=1), order=12).refine(2.99)
+    assert abs(orbit.evaluate("omega") - cubic.frequency(2.99)) < 1e-11
+    assert max(n for _, n in orbit.coefficients["x"]) > 24
+
+
+@pytest.mark.parametrize("lam, mu", [(2, -0.3), (1, 0.2), (2.5, 0)])
+def test_mathieu_against_the_hill_matrix(lam, mu):
+    orbit = fts.solve(fts.GeneralizedMathieu(), order=12).refine(lam, mu=mu)
+    assert abs(orbit.evaluate("a") - mathieu.eigenvalue(lam, mu)) < 1e-13
+    gap = orbit.evaluate("psi", T) - mathieu.eigenfunction(T, lam, mu)
+    assert np.abs(gap).max() < 1e-12
+
+
+@pytest.mark.parametrize("branch", ["a0", "a1", "a2", "b2", "a5", "b7"])
+def test_other_branches_against_scipy(branch):
+    from scipy.special import mathieu_a, mathieu_b
+    lam, n = 1.5, int(branch[1:])
+    orbit = fts.solve(fts.GeneralizedMathieu(mu=0, branch=branch), order=14).refine(lam)
+    truth = (mathieu_a if branch[0] == "a" else mathieu_b)(n, lam**2 / 2)
+    assert abs(orbit.evaluate("a") - truth) < 1e-12 * max(1, abs(truth))
+
+
+def test_another_branch_is_announced():
+    """λ = 4 lies beyond the radius 2.746: Newton's method ends on another eigenvalue."""
+    sol = fts.solve(fts.GeneralizedMathieu(mu=0), order=12)
+    with pytest.warns(fts.ConvergenceWarning, match="another"):
+        orbit = sol.refine(4)
+    spectrum = [mathieu.eigenvalue(4, 0, index) for index in range(4)]
+    assert min(abs(orbit.evaluate("a") - a) for a in spectrum) < 1e-11    # yet a solution
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        sol.refine(2)                                                      # no warning here
+
+
+@pytest.mark.parametrize("call, error, word", [
+    (lambda e: e.refine(3.5), fts.SolveError, "does not converge"),
+    (lambda e: e.refine(math.nan), fts.InputError, "lam"),
+    (lambda e: e.refine("two"), fts.InputError, "lam"),
+    (lambda e: e.refine(1, mu=0), fts.InputError, "no parameters"),
+    (lambda e: fts.solve(fts.CubicOscillator(a=1), order=6).refine(), fts.InputError, "give lam"),
+    (lambda e: fts.solve(fts.CubicOscillator(a=1), order=6).refine(3.1), fts.SolveError, "λ = 3.1"),
+    (lambda e: fts.solve(fts.GeneralizedMathieu(), order=6).refine(1), fts.InputError, "mu"),
+    (lambda e: e.truncate(0).refine(), fts.FTSeriesError, "S_x has no zero"),
+])
+def test_what_cannot_be_refined_is_refused(eight, call, error, word):
+    with pytest.raises(error, match=word):
+        call(eight)

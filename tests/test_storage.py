@@ -1,0 +1,270 @@
+"""Saved solutions come back bit for bit; damage of any kind is refused; writing is atomic."""
+
+import json
+import os
+import random
+
+import flint
+import pytest
+import sympy as sp
+from sample_problems import Duffing, LotkaVolterra, MassOnSpring
+
+import ftseries as fts
+from ftseries import FileError, FTSeriesError
+
+KINDS = {
+    "rational": (fts.CubicOscillator, "exact"), "polynomial": (fts.GeneralizedMathieu, "exact"),
+    "own parameter": (MassOnSpring, "exact"), "both kinds": (LotkaVolterra, "exact"),
+    "mu a number": (lambda: fts.GeneralizedMathieu("-3/10"), "float"),
+    "a with a root": (lambda: fts.CubicOscillator(2 * sp.sqrt(3) / 7), "exact"),
+    "float": (fts.FigureEight, "float"), "ball": (fts.FigureEight, "ball"),
+}
+
+
+@pytest.fixture
+def saved(tmp_path):
+    """A small file and its bytes."""
+    path = tmp_path / "duffing.json"
+    fts.solve(Duffing(), 3).save(path)
+    return path, path.read_bytes()
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_there_and_back(tmp_path, kind):
+    make, arithmetic = KINDS[kind]
+    solution = fts.solve(make(), 12, arithmetic, precision=200)
+    path = tmp_path / "solution.json"
+    solution.save(path)
+    for back in (fts.load(path), fts.load(str(path)), fts.load(path, problem=make())):
+        assert (back.order, back.arithmetic, back.precision) == (12, arithmetic,
+                                                                 solution.precision)
+        assert repr(back) == repr(solution)
+        if arithmetic == "ball":
+            assert all(x.mid() == y.mid() and x.rad() <= y.rad() <= x.rad() * (1 + 2**-28)
+                       for name, rows in solution.coefficients.items()
+                       for row, other in zip(rows, back.coefficients[name], strict=True)
+                       for (mode, x), y in zip(sorted(row.items()),
+                                               [other[m] for m in sorted(other)], strict=True))
+        else:
+            assert back.coefficients == solution.coefficients
+    back.save(path)
+    assert fts.load(path).truncate(4).order == 4
+
+
+def test_a_symbol_comes_back_positive(tmp_path):
+    a = sp.Symbol("a", positive=True)
+    solution = fts.solve(fts.CubicOscillator(a), 6)
+    solution.save(tmp_path / "a.json")
+    back = fts.load(tmp_path / "a.json")
+    assert back.problem.a == a
+    assert back.coefficient("omega", 4) == solution.coefficient("omega", 4)
+
+
+def test_exact_numbers_are_texts(saved):
+    data = json.loads(saved[1])
+    assert data["coefficients"]["x"][3] == [[0, 3, "1/32"]]
+    assert data["coefficients"]["omega"][2] == [[0, 0, "3/8"]]
+
+
+def test_balls_at_other_precision_than_the_one_in_force(tmp_path):
+    """600 bits survive although FLINT works with 53 when the file is read."""
+    solution = fts.solve(fts.FigureEight(), 8, "ball", precision=600)
+    solution.save(tmp_path / "b.json")
+    back = fts.load(tmp_path / "b.json")
+    assert flint.ctx.prec == 53
+    x, y = (s.coefficients["phi"][3][0, 3] for s in (solution, back))
+    assert x.mid() == y.mid() and x.rad() <= y.rad() and float(y.rad()) < 1e-150
+
+
+# --- damage -------------------------------------------------------------------------------------
+
+def test_every_truncation_is_refused(saved):
+    path, content = saved
+    for length in range(len(content)):
+        path.write_bytes(content[:length])
+        with pytest.raises(FileError) as caught:
+            fts.load(path)
+        assert "duffing.json" in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_every_changed_byte_is_refused_or_harmless(saved):
+    """One bit of every byte in turn: never another solution."""
+    path, content = saved
+    original = fts.load(path)
+    source = random.Random(1)
+    for position in range(len(content)):
+        damaged = bytearray(content)
+        damaged[position] ^= 1 << source.randrange(8)
+        path.write_bytes(bytes(damaged))
+        try:
+            back = fts.load(path)
+        except FTSeriesError as error:
+            assert isinstance(error, FileError) and "\n" not in str(error)
+        else:                                        # a blank became another blank, say
+            assert back.coefficients == original.coefficients
+            assert repr(back) == repr(original)
+
+
+@pytest.mark.parametrize("change", [
+    lambda d: d["coefficients"]["x"][3].__setitem__(0, [0, 3, "1/33"]),
+    lambda d: d["coefficients"]["x"][3].clear(),
+    lambda d: d["coefficients"]["x"].pop(),
+    lambda d: d["coefficients"].pop("omega"),
+    lambda d: d.__setitem__("order", 2),
+    lambda d: d.__setitem__("order", -1),
+    lambda d: d.__setitem__("arithmetic", "float"),
+    lambda d: d.__setitem__("precision", 10),
+    lambda d: d["problem"].__setitem__("name", "Pendulum"),
+    lambda d: d["problem"].__setitem__("arguments", {"a": "2"}),
+    lambda d: d.pop("problem"),
+    lambda d: d.pop("sha256"),
+    lambda d: d.__setitem__("sha256", "0" * 64),
+    lambda d: d.__setitem__("extra", 1),
+])
+def test_a_changed_file_is_refused(saved, change):
+    path, content = saved
+    data = json.loads(content)
+    change(data)
+    path.write_text(json.dumps(data))
+    with pytest.raises(FileError, match="checksum"):
+        fts.load(path)
+
+
+@pytest.mark.parametrize("change, words", [
+    (lambda d: d["coefficients"]["x"].pop(), "instead of 4"),
+    (lambda d: d["coefficients"].pop("omega"), "damaged"),
+    (lambda d: d.__setitem__("arithmetic", "decimal"), "damaged"),
+    (lambda d: d["problem"].__setitem__("arguments", {"b": 1}), "damaged"),
+    (lambda d: d["problem"].__setitem__("name", "Unheard"), "'Unheard', which is not known here"),
+    (lambda d: d.pop("problem"), "damaged"),
+    (lambda d: d.__setitem__("coefficients", []), "damaged"),
+    (lambda d: d["coefficients"]["x"][3].__setitem__(0, [0, 3, 0.5]), "not an exact number"),
+    (lambda d: d["coefficients"]["x"][3].__setitem__(0, [0, 3]), "damaged"),
+    (lambda d: d["coefficients"]["x"][3].__setitem__(0, [0, 3, "1/0"]), "damaged"),
+])
+def test_nonsense_with_a_right_checksum(saved, change, words):
+    """Written by a program that is not ours."""
+    from ftseries.storage import _digest
+    path, content = saved
+    data = json.loads(content)
+    change(data)
+    data.pop("sha256")
+    path.write_text(json.dumps(data | {"sha256": _digest(data)}))
+    with pytest.raises(FileError, match=words):
+        fts.load(path)
+
+
+@pytest.mark.parametrize("text, words", [
+    ("", "not JSON"), ("{", "not JSON"), ("hello", "not JSON"), ("\x00\x01", "not JSON"),
+    ("[" * 100000, "not JSON"),
+    ("null", "not a saved ftseries solution"), ("[]", "not a saved ftseries solution"),
+    ("3", "not a saved ftseries solution"), ('{"a": 1}', "not a saved ftseries solution"),
+    ('{"format": "other", "version": 1}', "not a saved ftseries solution"),
+    ('{"format": "ftseries"}', "version None"),
+    ('{"format": "ftseries", "version": 2}', "version 2"),
+    ('{"format": "ftseries", "version": "1"}', "version '1'"),
+    ('{"format": "ftseries", "version": 1}', "checksum"),
+])
+def test_foreign_files(tmp_path, text, words):
+    path = tmp_path / "foreign.json"
+    path.write_text(text)
+    with pytest.raises(FileError, match=words):
+        fts.load(path)
+
+
+def test_bytes_that_are_no_text(tmp_path):
+    path = tmp_path / "latin.json"
+    path.write_bytes(b'{"format": "\xff\xfe"}')
+    with pytest.raises(FileError, match="not JSON"):
+        fts.load(path)
+
+
+def test_no_file_and_a_folder(tmp_path):
+    with pytest.raises(FileError, match="cannot read .*No such file"):
+        fts.load(tmp_path / "nothing.json")
+    with pytest.raises(FileError, match="cannot read"):
+        fts.load(tmp_path)
+
+
+def test_the_problem_must_fit(tmp_path):
+    path = tmp_path / "c.json"
+    fts.solve(fts.CubicOscillator(), 3).save(path)
+    with pytest.raises(FileError, match=r"CubicOscillator\(a=1\), not of FigureEight\(\)"):
+        fts.load(path, problem=fts.FigureEight())
+    with pytest.raises(FileError, match=r"CubicOscillator\(a=1\), not of CubicOscillator\(a=2\)"):
+        fts.load(path, problem=fts.CubicOscillator(2))
+    with pytest.raises(FileError, match="not of 3"):
+        fts.load(path, problem=3)
+
+
+def test_a_file_executes_nothing(tmp_path):
+    """The length a is a text in the file: it may hold arithmetic and names, no calls."""
+    from ftseries.storage import _digest
+    path, trace = tmp_path / "evil.json", tmp_path / "trace"
+    fts.solve(fts.CubicOscillator(), 1).save(path)
+    data = json.loads(path.read_text())
+    data.pop("sha256")
+    data["problem"]["arguments"] = {"a": f"__import__('pathlib').Path({str(trace)!r}).touch()"}
+    path.write_text(json.dumps(data | {"sha256": _digest(data)}))
+    with pytest.raises(FileError, match="not a number or a SymPy expression"):
+        fts.load(path)
+    assert not trace.exists()
+
+
+# --- writing ------------------------------------------------------------------------------------
+
+@pytest.mark.parametrize("name, failure", [
+    ("fsync", OSError(28, "No space left on device")),
+    ("replace", OSError(13, "Permission denied")),
+    ("fsync", KeyboardInterrupt()), ("replace", KeyboardInterrupt()),
+])
+def test_a_failed_write_leaves_the_old_file(saved, monkeypatch, name, failure):
+    path, content = saved
+    longer = fts.solve(Duffing(), 9)
+
+    def fail(*_):
+        raise failure
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, name, fail)
+        with pytest.raises(FileError if isinstance(failure, OSError) else KeyboardInterrupt):
+            longer.save(path)
+    assert path.read_bytes() == content
+    assert [p.name for p in path.parent.iterdir()] == ["duffing.json"]      # no scrap stays behind
+    longer.save(path)
+    assert fts.load(path).order == 9
+
+
+def test_the_reason_of_a_failed_write_is_given(tmp_path):
+    solution = fts.solve(Duffing(), 1)
+    with pytest.raises(FileError, match="cannot write .*No such file or directory"):
+        solution.save(tmp_path / "no" / "such" / "folder.json")
+    with pytest.raises(FileError, match="cannot write"):
+        solution.save(tmp_path)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_problem_that_cannot_be_written_leaves_nothing(tmp_path):
+    class Unwritable(Duffing):
+        def arguments(self):
+            return {"f": object()}
+    solution = fts.solve(Unwritable(), 1)
+    del fts.Problem.classes["Unwritable"]
+    with pytest.raises(FTSeriesError, match="arguments"):
+        solution.save(tmp_path / "u.json")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_relative_path(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    fts.solve(Duffing(), 1).save("here.json")
+    assert fts.load("here.json").order == 1
+
+
+def test_a_saved_file_is_readable_by_others(tmp_path):
+    """A temporary file is private; the finished one gets the usual permissions."""
+    path = tmp_path / "d.json"
+    fts.solve(Duffing(), 1).save(path)
+    plain = tmp_path / "plain"
+    plain.touch()
+    assert path.stat().st_mode == plain.stat().st_mode
