@@ -4,7 +4,8 @@ The first coefficients of a non-linear problem obey polynomial equations, such a
 paper, with several solutions.  Here they are unknown symbols (fields up to order 1, scalars at
 order 0), run through the problem's own equations as parameters of a polynomial ring; the equations
 of order 0, 1, 2, … that contain no later coefficient are solved one order after the other.
-Solutions without oscillation are left out.  Of two that become each other by τ to -τ with ω to -ω,
+Solutions without oscillation are left out, and those that depend on a free parameter, because
+coefficients are to be polynomials in it.  Of two that become each other by τ to -τ with ω to -ω,
 or by τ to τ + π, the one with positive frequency or leading amplitude is kept.
 """
 
@@ -55,8 +56,8 @@ def first_steps(problem, choice=None):
             if not branches:
                 raise ContradictionError(
                     f"no first coefficients satisfy {', '.join(problem.expressions)} at order "
-                    f"{order} of λ: a resonance, or an ansatz without the symmetry of the motion; "
-                    "change the equations or the ansatz")
+                    f"{order} of λ: a resonance, or an ansatz without the symmetry or the Fourier "
+                    "orders of the motion; change the equations or the ansatz")
     except (NonAnalyticError, InputError, NotImplementedError) as error:
         terms = f"{', '.join(problem.delicate)} is not polynomial" if problem.delicate else error
         raise InputError(f"the first steps cannot be solved automatically ({terms}); give a seed "
@@ -81,7 +82,8 @@ def first_steps(problem, choice=None):
         raise InputError(f"the first steps have {len(seeds)} solutions, select one of them: "
                          f"{shown}")
     if choice is not None and choice not in range(len(seeds)):
-        raise InputError(f"choice={choice!r}: there are {len(seeds)} solutions of the first steps")
+        raise InputError(f"choice={choice!r}: the number of solutions of the first steps is "
+                         f"{len(seeds)}, counted from 0")
     return seeds[choice or 0]
 
 
@@ -106,13 +108,17 @@ def _is_low(problem, name, m):
 
 def _extend(problem, symbols, low, known, order):
     """All ways to satisfy the equations of one order, as extensions of ``known``."""
-    equations = [e for e in _residual(problem, symbols, known, order) if e.free_symbols <= low]
-    unknown = sorted(set().union(*(e.free_symbols for e in equations)) - set(known), key=str)
+    parameters = {sp.Symbol(name) for name in problem.parameters}
+    equations = [e for e in _residual(problem, symbols, known, order)
+                 if e.free_symbols <= low | parameters]
+    unknown = sorted(set().union(*(e.free_symbols for e in equations)) - set(known) - parameters,
+                     key=str)
     if not unknown:
         return [known] if not any(e != 0 for e in equations) else []
     solutions = sp.solve(equations, unknown, dict=True)
     return [known | {s: sp.simplify(v) for s, v in solution.items()} for solution in solutions
-            if all(v.is_real is not False for v in solution.values())]
+            if not any(v.is_real is False or v.free_symbols & parameters
+                       for v in solution.values())]
 
 
 def _residual(problem, symbols, known, order):
@@ -158,7 +164,10 @@ def _distinct(problem, symbols, solutions):
     waves = {s: mode for (name, mode, m), s in symbols.items() if mode[1]}
     mirrors = (lambda s: -1 if waves.get(s, (0, 0))[1] % 2 else 1,             # τ to τ + π
                lambda s: -1 if s == frequency or waves.get(s, (0, 0))[0] else 1)        # τ to -τ
-    for key, mirror in zip((waves, {frequency}), mirrors, strict=True):
+    broken = (any(n % 2 for _, n in problem.forcing), any(sine for sine, _ in problem.forcing))
+    for key, mirror, forced in zip((waves, {frequency}), mirrors, broken, strict=True):
+        if forced:                                      # the equations do not allow this mirror
+            continue
         kept = []
         for known in sorted(moving, key=lambda known, key=key: _is_negative(known, key)):
             if {s: sp.simplify(mirror(s) * v) for s, v in known.items()} not in kept:

@@ -11,7 +11,8 @@ import numpy as np
 from flint import ctx
 
 from . import analysis, evaluation
-from .analysis import Estimate
+from .analysis import Estimate, Singularity
+from .branch import branch_point
 from .conversion import at
 from .errors import ConvergenceWarning, InputError
 from .grid import FloatRing
@@ -92,6 +93,39 @@ class Quality:
         See :func:`ftseries.analysis.nearest_singularities`.
         """
         return analysis.nearest_singularities(self.sequence(name, n, sine, **parameters)[2])
+
+    def branch_point(self, name, n=0, sine=None, **parameters):
+        """The first of :meth:`singularities`, made sharp on the problem's equations themselves.
+
+        Two periodic solutions meet there; see :mod:`ftseries.branch`.
+
+        Returns
+        -------
+        Singularity
+            In z = Λ^step, with exponent 1/2.
+
+        Raises
+        ------
+        SolveError
+            The singularity is of another kind.
+
+        Examples
+        --------
+        >>> import ftseries as fts
+        >>> sol = fts.solve(fts.GeneralizedMathieu(mu=0), order=40)
+        >>> q = sol.branch_point("a").location / 2                          # DLMF, table 28.6.1
+        >>> round(abs(q), 8)
+        3.76995749
+        """
+        step = self.sequence(name, n, sine, **parameters)[0]
+        z = self.singularities(name, n, sine, **parameters)[0].location
+        values = {key: float(evaluation.finite(key, value)) for key, value in parameters.items()}
+        place = complex(z.real, abs(z.imag)) ** (1 / step)
+        inner, outer = (self._complex_amplitudes(part * place, values) for part in (0.97, 0.98))
+        slope = {name: {mode: c - inner[name][mode] for mode, c in modes.items()}
+                 for name, modes in outer.items()}
+        lam, error = branch_point(self.problem, outer, slope, place, values)
+        return Singularity(lam**step, 0.5, step * abs(lam) ** (step - 1) * error, 0.0)
 
     def radius_of_convergence(self, name, n=None, sine=None, **parameters):
         """The radius of convergence in λ, with its uncertainty.
@@ -241,6 +275,14 @@ class Quality:
         """``{name: {mode: A_n(λ)}}`` in the solver's units."""
         return {name: {mode: float(c) / float(self.problem.scale(name)) for mode, c in
                        evaluation.amplitudes(self.table(name, **parameters), lam).items()}
+                for name in self.problem.unknowns}
+
+    def _complex_amplitudes(self, lam, parameters):
+        """The same at a complex λ in the solver's units."""
+        lam = lam * float(self.problem.lam_scale)
+        return {name: {mode: np.polynomial.polynomial.polyval(lam, row)
+                       / float(self.problem.scale(name))
+                       for mode, row in self.table(name, **parameters).items()}
                 for name in self.problem.unknowns}
 
 

@@ -56,7 +56,7 @@ class Orbit:
         return fourier_sum(amplitude, omega * np.asarray(t, dtype=float))
 
 
-class _Collocation:
+class Collocation:
     """The residual's modes as a function of the free modes up to N and of λ."""
 
     def __init__(self, problem, top, parameters):
@@ -167,7 +167,7 @@ def refine(problem, first_guess, lam, condition=False, parameters=None):
     highest = max((n for modes in first_guess.values() for _, n in modes), default=0)
     top, total, guess = max(_FIRST_MODES, highest + 2), 0, first_guess
     while True:
-        system = _Collocation(problem, top, parameters)
+        system = Collocation(problem, top, parameters)
         x = np.array([guess[name].get(tuple(mode), 0.0) for name, *mode in system.columns])
         x, lam, steps = system.newton(x, lam, condition)
         total += steps
@@ -193,7 +193,7 @@ def residuals(problem, coefficients, lam, parameters=None):
     ``coefficients`` are ``{name: {(sine, n): float}}`` at ``lam``, in the solver's units.
     """
     top = max((n for modes in coefficients.values() for _, n in modes), default=0) + 1
-    system = _Collocation(problem, max(top, _FIRST_MODES // 2), parameters)
+    system = Collocation(problem, max(top, _FIRST_MODES // 2), parameters)
     x = np.array([coefficients[name].get(tuple(mode), 0.0) for name, *mode in system.columns])
     parameter, unknowns = system.unknowns(x, np.asarray(lam))
     return {name: float(np.abs(r.values).max())

@@ -125,6 +125,14 @@ class Equations(Problem):
         """The powers, exp, sin and cos of the equations that may not be analytic at λ = 0."""
         return [self.language.written(e) for _, e, _ in self._translator.delicate]
 
+    @property
+    def forcing(self):
+        """The modes (sine, n) of the known functions in the equations."""
+        omega = sp.Symbol(self.frequency) if self.frequency else sp.S.One
+        waves = {(w, harmonic(w, sp.Symbol(self.variable), omega))
+                 for e in self.expressions.values() for w in e.atoms(sp.sin, sp.cos)}
+        return {(int(isinstance(w, sp.sin)), n) for w, n in waves if n}
+
     def _texts(self):
         return {name: self.language.written(e) for name, e in self.expressions.items()}
 
@@ -195,7 +203,8 @@ class Equations(Problem):
             for term in sp.Add.make_args(value):
                 m, mode, c = self._seed_term(name, term)
                 row = rows.setdefault(m, {})
-                row[mode] = row.get(mode, 0) + c
+                if c != 0:
+                    row[mode] = row.get(mode, 0) + c
             rows = [rows.get(m, {}) for m in range(max(rows) + 1)]
             leading = next((c for row in rows for c in row.values() if c != 0), sp.S.One)
             if not leading.is_Rational:
@@ -209,7 +218,7 @@ class Equations(Problem):
         """(Taylor order, mode, coefficient) of one term of a seed."""
         omega = sp.Symbol(self.frequency) if self.frequency else sp.S.One
         time, lam = (sp.Symbol(s) for s in (self.variable, self.language.lam))
-        number, rest = term.as_independent(lam, time, as_Add=False)
+        number, rest = term.as_independent(lam, time, as_Add=False) if term else (term, sp.S.One)
         m, mode = 0, None
         for factor in sp.Mul.make_args(rest):
             base, exponent = factor.as_base_exp()

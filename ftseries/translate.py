@@ -116,7 +116,7 @@ class Translator:
 
     def _sum(self, e, where):
         parts = [self.build(arg, where) for arg in e.args]
-        common = parts[0][0]
+        common = sp.S.One if all(factor.is_Rational for factor, _ in parts) else parts[0][0]
         weighted = []
         for arg, (factor, build) in zip(e.args, parts, strict=True):
             ratio = plain(factor / common)

@@ -56,6 +56,22 @@ def test_every_error_is_of_the_family(error):
     assert error.__doc__
 
 
+def test_a_machine_that_does_not_tell_its_memory(monkeypatch):
+    """8 GiB are taken for granted, so the limits stay those of such a machine."""
+    def unknown(name):
+        raise ValueError(name)
+    monkeypatch.setattr("os.sysconf", unknown)
+    refused(lambda: fts.solve(CUBIC, 10**5), InputError, "memory")
+    assert fts.solve(CUBIC, 2).order == 2
+
+
+def test_rounding_that_has_grown(monkeypatch):
+    """With a tolerance below rounding the float ring must give up, and say why."""
+    from ftseries.grid import FloatRing
+    monkeypatch.setattr(FloatRing, "negligible", lambda self, x, scale: abs(x) <= 1e-18 * scale)
+    refused(lambda: fts.solve(CUBIC, 40, "float"), SolveError, "rounding", "arithmetic='ball'")
+
+
 def test_errors_can_be_caught_as_the_built_in_ones():
     assert issubclass(InputError, ValueError)
     assert issubclass(NonAnalyticError, ArithmeticError)

@@ -50,6 +50,10 @@ def test_products_within_the_degree_are_exact(degree):
                        for m in set(product) | set(expected))
 
 
+def test_numbers_become_floats():
+    assert [FloatRing(2).number(x) for x in (0.1, "1/4", 3)] == [0.1, 0.25, 3.0]
+
+
 def test_a_mode_beyond_the_grid_is_refused():
     with pytest.raises(InputError, match="Fourier order 9"):
         FloatRing(4).from_modes({(0, 9): 1.0})

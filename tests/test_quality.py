@@ -135,14 +135,6 @@ def test_radius_of_the_eight_agrees_between_orders_and_arithmetics(eight, long_e
     assert newton.figure_eight_lambda() < long.value - long.error
 
 
-def test_branch_point_of_the_eight(long_eight):
-    """The two places found by tests/test_refine.py, where the equations themselves fold."""
-    z = long_eight.singularities("r", 0)[0]
-    assert abs(complex(z.location.real, abs(z.location.imag)) - (2.17118419271 + 4.37266142208j)
-               ) <= z.error < 1e-3
-    assert abs(z.exponent - 0.5) <= z.exponent_error < 0.1
-
-
 def test_residual_of_the_exact_orbit_is_rounding_and_falls_with_the_order():
     sizes = [max(fts.solve(fts.CubicOscillator(a=1), order=n).residual(0.5).values())
              for n in (4, 8, 12, 16, 40)]

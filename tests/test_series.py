@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from ftseries.errors import InputError, NonAnalyticError
 from ftseries.grid import FloatRing
-from ftseries.laurent import BallRing, PolynomialRing, RationalRing
+from ftseries.laurent import BallRing, PolynomialRing, RationalRing, SurdRing
 from ftseries.series import Expansion, cos, exp, sin
 
 ORDER = 4
@@ -205,11 +205,30 @@ def test_a_quarter_shift_turns_cosine_into_minus_sine(ring):
 
 
 @pytest.mark.parametrize("ring", ["ball", "float"], indirect=True)
-@given(rows, st.integers(1, 6), st.integers(-6, 6))
+@given(rows, st.integers(-6, 6), st.integers(-6, 6))
 def test_shifts_by_any_fraction(ring, a, q, p):
     a = make(Expansion(ring), a)
     s = Fraction(p, 7)
     equal(a.shift(s).shift(Fraction(q, 5)), a.shift(s + Fraction(q, 5)))
+
+
+@given(a=rows, b=rows, p=st.integers(-12, 12), q=st.integers(-12, 12))
+def test_shifts_by_twelfths_over_the_root_of_three(a, b, p, q):
+    """Exact identities in Q(√3): nothing but s² = 3 is used."""
+    a, b = make(Expansion(SurdRing()), a, b)
+    s, t = Fraction(p, 12), Fraction(q, 12)
+    equal(a.shift(s).shift(t), a.shift(s + t))
+    equal((a * b).shift(s), a.shift(s) * b.shift(s))
+    equal(a.shift(Fraction(1, 3)) + a.shift(Fraction(2, 3)), a.neighbours())
+
+
+def test_the_root_of_three_reduces():
+    ring = SurdRing(("mu",))
+    assert ring.from_modes({(0, 0): ring.surd}).scale(ring.surd).modes() == {(0, 0): 3}
+    twelfth = Expansion(ring).cos(1).shift(Fraction(1, 12))[0].modes()
+    assert twelfth == {(0, 1): ring.surd / 2, (1, 1): fmpq(-1, 2)}      # cos(τ + π/6)
+    with pytest.raises(InputError, match="1/5"):
+        Expansion(ring).cos(1).shift(Fraction(1, 5))[0]
 
 
 @pytest.mark.parametrize("ring", ["ball", "float"], indirect=True)

@@ -1,5 +1,7 @@
 """A solved problem: coefficients of the caller's type, truncation, tables, repr."""
 
+import pickle
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -101,6 +103,13 @@ def test_time_is_the_time_and_not_the_phase():
             solution.evaluate(name, t, lam=0.6), abs=1e-13)
         assert abs(solution.evaluate(name, 0.2 + np.pi, lam=0.6)
                    - solution.evaluate(name, 0.2 + np.pi + period / 2, lam=0.6)) > 1e-3
+
+
+@pytest.mark.parametrize("problem", [fts.FigureEight(), fts.GeneralizedMathieu()])
+def test_solutions_travel_between_processes(problem):
+    solution = fts.solve(problem, 9)
+    back = pickle.loads(pickle.dumps(solution))
+    assert back.coefficients == solution.coefficients and repr(back) == repr(solution)
 
 
 def test_repr(solutions):

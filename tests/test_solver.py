@@ -220,6 +220,54 @@ def test_a_parameter_of_ones_own():
                              - plain.coefficient("x", n, m) * mu ** ((m - 1) // 2)) == 0
 
 
+class Printed(fts.FigureEight):
+    """(E3a), (E3b) letter by letter, with the shifts (E5b), (E5d): over Q(√3)."""
+
+    surd = True
+
+    def equations(self, lam, r, phi):
+        third = Fraction(1, 3)
+        r23, r31, p23, p31 = (u.shift(s) for u in (r, phi) for s in (-third, third))
+        a, b = r31**-2 / 3, r23**-2 / 3
+        return {"(E3a)": r.diff(2) - (r * phi.diff()**2 - 2 * r**-2 / 3 + a * fts.cos(phi - p31)
+                                      + b * fts.cos(phi - p23)),
+                "(E3b)": phi.diff(2) - r**-1 * (-2 * r.diff() * phi.diff()
+                                                - a * fts.sin(phi - p31) - b * fts.sin(phi - p23))}
+
+
+del Problem.classes["Printed"]
+
+
+@pytest.mark.parametrize("arithmetic", ["exact", "float", "ball"])
+def test_E3_letter_by_letter(arithmetic):
+    """The declaration by projections and the printed one have one solution; √3 cancels."""
+    printed = fts.solve(Printed(), 14, arithmetic)
+    short = fts.solve(fts.FigureEight(), 14, arithmetic)
+    for name, rows in short.coefficients.items():
+        for row, other in zip(rows, printed.coefficients[name], strict=True):
+            for mode in set(row) | set(other):
+                x, y = row.get(mode, 0), other.get(mode, 0)
+                if arithmetic == "exact":
+                    assert x == y
+                elif arithmetic == "ball":
+                    assert flint.arb(x).overlaps(flint.arb(y))
+                else:
+                    assert x == pytest.approx(y, abs=1e-15)
+
+
+def test_a_root_of_three_that_stays():
+    class Turned(Problem):
+        unknowns = {"x": Field("both")}
+        seed = {"x": [{}]}
+        surd = True
+
+        def equations(self, lam, x):
+            return {"(turned)": x - (lam * lam.expansion.cos(1)).shift(Fraction(1, 12))}
+    del Problem.classes["Turned"]
+    with pytest.raises(fts.SolveError, match="x at order 1 contains √3"):
+        fts.solve(Turned(), 3)
+
+
 def test_a_linear_forced_equation():
     """x″ + 2x = λ cos τ + λ³ cos 3τ: x = λ cos τ - λ³/7 cos 3τ, and nothing else."""
     class Forced(Problem):

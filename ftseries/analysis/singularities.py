@@ -17,7 +17,7 @@ they disagree by.
 from dataclasses import dataclass
 
 import numpy as np
-from flint import acb, acb_poly, arb, arb_mat, ctx, fmpq
+from flint import acb, acb_poly, arb, arb_mat, ctx
 
 from ..errors import InputError
 
@@ -127,6 +127,7 @@ def nearest_singularities(c):
     --------
     The square root sqrt(1 - z/2) has its branch point at 2:
 
+    >>> from flint import fmpq
     >>> c = [fmpq(1)]
     >>> for k in range(1, 40):
     ...     c.append(c[-1] * fmpq(2 * k - 3, 4 * k))

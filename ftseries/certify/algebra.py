@@ -13,16 +13,21 @@ The negative powers of a function w > 0 come from an approximation v of w^{-1/2}
 
 .. math::  w^{-p/2} = v^p (1 - ε)^{-p/2}, \qquad
            \|(1-ε)^{-p/2} - 1\| \le (1 - \|ε\|)^{-p/2} - 1 \quad\text{if } \|ε\| < 1.
+
+Then w > 0 and v has no zero; v(0) > 0 makes v^p (1 - ε)^{-p/2} the positive root for odd p.
 """
 
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from functools import reduce
+from math import inf, nextafter
 
-from flint import arb
+from flint import arb, ctx
 
 from ..errors import FTSeriesError
 from ..laurent import BallRing
 
-__all__ = ["Enclosure", "NotProved", "largest_of", "norm", "truncate", "upper"]
+__all__ = ["Enclosure", "NotProved", "at_least", "at_most", "largest_of", "norm", "truncate",
+           "upper"]
 
 RING = BallRing()
 
@@ -39,6 +44,25 @@ def upper(x):
 def largest_of(values):
     """An upper bound of all of them, as an exact number."""
     return reduce(lambda a, b: upper(a.max(b)), values, arb(0))
+
+
+def at_most(x, digits=3):
+    """A decimal not below x, to print an upper bound.
+
+    >>> at_most(arb("1.231e-9")), at_least(arb("1.239e-9"))
+    ('1.24e-9', '1.23e-9')
+    """
+    return _decimal(nextafter(float(x), inf), digits, ROUND_CEILING)
+
+
+def at_least(x, digits=3):
+    """A decimal not above x, to print a lower bound."""
+    return _decimal(nextafter(float(x), -inf), digits, ROUND_FLOOR)
+
+
+def _decimal(x, digits, rounding):
+    d = Context(prec=digits, rounding=rounding).create_decimal(Decimal(x))
+    return f"{d:.{digits - 1}e}"
 
 
 def norm(trig, nu):
@@ -96,8 +120,22 @@ class Enclosure:
         if not defect < 1:
             raise NotProved(f"not proved: ‖1 - v²w‖ = {float(defect):.3g} is not below 1; give "
                             "more modes or a better approximation")
+        if not sum((c for (sine, _), c in v.modes().items() if not sine), arb(0)) > 0:
+            raise NotProved("not proved: v(0) > 0, so v may approximate the negative root")
         power = root
         for _ in range(p - 1):
             power = power * root
         spread = upper((1 - defect) ** (-arb(p) / 2) - 1)
         return Enclosure(power.center, power.norm() * spread, self.nu)
+
+    def cos_sin(self, top):
+        """cos and sin of it, by Taylor's series in the algebra, with at most ``top`` modes."""
+        size, k, bound = self.norm(), 0, arb(1)
+        term = Enclosure(RING.from_modes({(0, 0): arb(1)}), 0, self.nu)
+        sums = [term * 0, term * 0]
+        while not (k > 2 * size and bound < arb(2) ** -ctx.prec):    # bound = ‖f‖^k / k!
+            sums[k % 2] += term * (-1 if k % 4 > 1 else 1)
+            k += 1
+            term = (term * self).cut(top) * (1 / arb(k))
+            bound = upper(bound * size / k)
+        return [Enclosure(s.center, s.radius + 2 * bound, self.nu) for s in sums]

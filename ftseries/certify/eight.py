@@ -21,8 +21,9 @@ from flint import arb, arb_mat, ctx
 
 from ..errors import InputError
 from ..problems.figure_eight import FigureEight, closure_zero
-from ..series import DERIVATIVES
-from .algebra import RING, Enclosure, NotProved, largest_of, norm, upper
+from . import certificate
+from .algebra import RING, Enclosure, at_least, at_most, largest_of, upper
+from .consequences import distance_from, initial_values, lambda_zero
 from .newton_kantorovich import Bounds, radius
 
 __all__ = ["EightTheorem", "prove_eight"]
@@ -30,84 +31,142 @@ __all__ = ["EightTheorem", "prove_eight"]
 
 @dataclass(frozen=True)
 class EightTheorem:
-    """What was proved.
+    """What was proved; lengths of the center are in units of 3^{1/3}.
 
     Attributes
     ----------
     radius : arb
-        There is a true eight within this ℓ¹_ν distance (in units of 3^{1/3}) of the coefficients.
+        There is a true eight within this ℓ¹_ν distance of the center.
     uniqueness : arb
         It is the only one within this distance.
+    distance : arb
+        The center and the given r e^{iφ} are at most this far apart: the true eight is within
+        radius + distance of the given series.
     lam : arb
         A ball that contains λ₀.
-    coefficients : dict
-        ``{n: float}``, the center ū.
+    positions, velocities : tuple of acb
+        Balls that contain those of the three bodies at t = 0, in the units of the equations.
+    center : dict
+        ``{n: float}``, the coefficients ū_n.
     bounds : Bounds
-    nu : arb
+    nu, modes, precision
+        As given.
     """
 
     radius: arb
     uniqueness: arb
+    distance: arb
     lam: arb
-    coefficients: dict
+    positions: tuple
+    velocities: tuple
+    center: dict
+    root: dict
+    inverse: list
     bounds: Bounds
-    nu: arb
+    nu: str
+    modes: int
+    precision: int
 
     def __str__(self):
-        b = self.bounds
+        b, total = self.bounds, self.radius + self.distance
         return ("Theorem. Newton's equations of three equal bodies have exactly one solution with "
-                f"the symmetries of the figure eight within {float(self.uniqueness):.2e} of the "
-                f"given Fourier sum, and it lies within {float(self.radius):.2e} of it "
-                f"(ℓ¹ norm, ν = {float(self.nu):g}). The bodies never collide. λ₀ = "
-                f"{self.lam.str(25)}. [Y = {float(b.y):.2e}, Z₁ = {float(b.z1):.2e}, "
-                f"Z₂ = {float(b.z2):.2e}]")
+                "the symmetries of the figure eight within "
+                f"{at_least(self.uniqueness - self.distance)} of the given series, and it lies "
+                f"within {at_most(upper(total))} of it (ℓ¹ norm, ν = {self.nu}, unit 3^(1/3)). "
+                f"The bodies never collide. λ₀ = {self.lam.str(25)}. [N = {self.modes}, "
+                f"Y = {at_most(b.y)}, Z₁ = {at_most(b.z1)}, Z₂ = {at_most(b.z2)}, "
+                f"r* = {float(b.largest):.0e}]")
+
+    def save(self, path):
+        """Write a certificate: the claims, and what :func:`ftseries.certify.check` needs."""
+        certificate.write(path, {
+            "theorem": "figure eight", "nu": self.nu, "modes": self.modes,
+            "precision": self.precision,
+            "center": [[n, certificate.exact(arb(c))] for n, c in self.center.items()],
+            "root": [[n, certificate.exact(c)] for n, c in self.root.items()],
+            "inverse": [[certificate.exact(arb(c)) for c in row] for row in self.inverse],
+            "largest": certificate.exact(self.bounds.largest),
+            "radius": certificate.exact(self.radius),
+            "uniqueness": certificate.exact(self.uniqueness),
+            "lam": certificate.ball(self.lam),
+            "positions": [[certificate.ball(x) for x in (z.real, z.imag)] for z in self.positions],
+            "velocities": [[certificate.ball(x) for x in (z.real, z.imag)]
+                           for z in self.velocities]})
 
 
-def prove_eight(orbit, modes=100, nu="1.02", precision=256):
+def prove_eight(orbit, lam=None, modes=100, nu="1.02", precision=256):
     """Prove that a true figure eight lies near an approximate one.
 
     Parameters
     ----------
     orbit : Solution, Resummed or Orbit of FigureEight
-        Anything with ``evaluate`` and, for a series, an attribute ``lam`` or its own zero.
+        The approximation.  Its float coefficients are taken as exact numbers.
+    lam : float, optional
+        The value of λ of a series; its own zero of the closure when left out.
     modes : int
         N, the size of the finite block.
     nu : str or number
-        The weight ν of the norm, at least 1.
+        The weight ν of the norm, above 1.
     precision : int
         Bits.
 
     Raises
     ------
     NotProved
-        The data are too poor for the theorem.
+        The data are too poor for the theorem; the message shows the constants.
+
+    Examples
+    --------
+    >>> import ftseries as fts
+    >>> theorem = fts.certify.prove_eight(fts.solve(fts.FigureEight(), order=6).refine())
+    >>> theorem.radius < 1e-13 < 1e-8 < theorem.uniqueness, theorem.lam.str(12, radius=False)
+    (True, '2.07568390885')
     """
     if not isinstance(getattr(orbit, "problem", None), FigureEight):
         raise InputError(f"{orbit!r} is not a figure eight")
+    if not isinstance(modes, int) or modes < 4:
+        raise InputError(f"modes={modes!r}: give an integer of at least 4")
     with ctx.workprec(precision):
-        nu = arb(str(nu))
-        if not nu >= 1:
-            raise InputError(f"nu={nu}: the weight must be at least 1")
-        return _prove(_center(orbit, modes), modes, nu)
+        try:
+            weight = arb(str(nu))
+        except ValueError:
+            raise InputError(f"nu={nu!r} is not a number; give one above 1") from None
+        if not weight > 1:
+            raise InputError(f"nu={nu}: the weight must be above 1")
+        own = getattr(orbit, "lam", lam)
+        if lam is not None and own != lam:
+            raise InputError(f"lam={lam}: {orbit!r} has its own λ; leave lam out")
+        lam = float(closure_zero(orbit) if own is None else own)
+        u = _center(orbit, lam, modes)
+        proved = _prove(u, modes, weight)
+        low, high, v = proved["radius"], proved["uniqueness"], proved.pop("v")
+        x, y = _waves(u, weight)
+        distance = distance_from(orbit, lam, x, y, 2 * modes, low, high)
+        positions, velocities = initial_values(u, low, weight)
+        return EightTheorem(distance=distance, lam=lambda_zero(x, y, v, low), center=u,
+                            positions=positions, velocities=velocities, nu=str(nu), modes=modes,
+                            precision=precision, root={n: c for (_, n), c in v.modes().items()},
+                            **proved)
 
 
-def _center(orbit, modes):
+def _center(orbit, lam, modes):
     """u_n of the approximate solution, as floats, after a projection on the symmetric modes."""
     points = 8 * modes
     t = 2 * np.pi * np.arange(points) / points
-    lam = getattr(orbit, "lam", None)
-    if lam is None:
-        lam = closure_zero(orbit)
     z = (orbit.evaluate("r", t, lam=lam) / 3 ** (1 / 3)
          * np.exp(1j * orbit.evaluate("phi", t, lam=lam)))
     x, y = (np.fft.rfft(part).real * 2 / points for part in (z.real, z.imag))
     return {n: float((y if n % 2 else x)[n]) for n in range(1, modes + 1) if n % 3}
 
 
+def _waves(u, nu):
+    """X and Y."""
+    return [Enclosure(RING.from_modes({(0, n): arb(c) for n, c in u.items() if n % 2 == i}), 0, nu)
+            for i in (0, 1)]
+
+
 def _prove(u, modes, nu):
-    wave = {0: RING.from_modes({(0, n): arb(c) for n, c in u.items() if n % 2 == 0}),
-            1: RING.from_modes({(0, n): arb(c) for n, c in u.items() if n % 2 == 1})}
-    x, y = (Enclosure(wave[i], 0, nu) for i in (0, 1))
+    x, y = _waves(u, nu)
     w = x * x + y * y
     top = 2 * modes
     v = _inverse_root(u, modes, w, top)
@@ -133,7 +192,8 @@ def _prove(u, modes, nu):
     z2 = _z2(w, v, x, y, norm_a, largest)
     bounds = Bounds(y_bound, z1, z2, largest)
     low, high = radius(bounds)
-    return EightTheorem(low, high, _lam(x, y, w, v, low), u, bounds, nu)
+    return {"radius": low, "uniqueness": high, "bounds": bounds, "v": v,
+            "inverse": inverse.tolist()}
 
 
 def _inverse_root(u, modes, w, top):
@@ -227,23 +287,7 @@ def _z1(a, block, entry, m, index, modes, top, weight, rest):
 
 def _z2(w, v, x, y, norm_a, largest):
     """Bound of the second derivative over the ball of radius ``largest``."""
-    size = norm(x.center, x.nu) + norm(y.center, x.nu) + largest
+    size = upper(x.norm() + y.norm() + largest)
     wide = Enclosure(w.center, w.radius + 2 * size * largest + largest**2, w.nu)
     s = wide.negative_power(1, v).norm()
     return upper(norm_a * (9 * s**5 * size + 15 * s**7 * size**3))
-
-
-def _lam(x, y, w, v, distance):
-    """λ₀ = amplitude of cos t in φ = arg Z, from φ' = (X Y' - Y X') / W."""
-    derivative = [_derivative(part) for part in (x, y)]
-    rate = (x * derivative[1] + y * derivative[0] * -1) * w.negative_power(2, v)
-    value = -rate.center.modes()[1, 1]
-    s = w.negative_power(1, v).norm()
-    error = rate.radius / w.nu + 4 / arb.pi() * (distance * s / (1 - distance * s))
-    return value + arb(0, upper(error))
-
-
-def _derivative(part):
-    if not part.radius == 0:
-        raise NotProved("not proved: the derivative of an enclosure needs a finite sum")
-    return Enclosure(part.center.multiply_modes(DERIVATIVES[1]), 0, part.nu)

@@ -5,9 +5,13 @@ Theorem.  Let F be twice differentiable near ū, A injective, and
 .. math::  \|A F(ū)\| \le Y, \quad \|I - A\,DF(ū)\| \le Z_1, \quad
            \|A\,(DF(ū + h) - DF(ū))\| \le Z_2 \|h\| \text{ for } \|h\| \le r_*.
 
-If p(r) = Y - (1 - Z_1) r + Z_2 r²/2 < 0 for some r ≤ r_*, then F has exactly one zero within r of
-ū.  (u ↦ u - A F(u) maps that ball into itself and contracts it; for one r with p(r) < 0 and
-Z_1 + Z_2 r < 1.)  Every inequality is decided with balls.
+If p(r) = Y - (1 - Z_1) r + Z_2 r²/2 ≤ 0 and Z_1 + Z_2 r < 1 for some r ≤ r_*, then F has a zero
+within r of ū, and no other one within any R ≤ r_* with Z_1 + Z_2 R < 1.  For T(u) = u - A F(u) maps
+the ball of radius r into itself, since ‖T(ū + h) - ū‖ ≤ Y + Z_1 r + Z_2 r²/2 ≤ r, and contracts
+the ball of radius R by the factor Z_1 + Z_2 R.  Every inequality is decided with balls.
+
+Why A is injective when it is a finite block a and an invertible tail: Z_1 < 1 makes A DF(ū)
+invertible, so A is onto, so a is onto, and a square matrix that is onto is injective.
 """
 
 from dataclasses import dataclass
@@ -17,6 +21,9 @@ from flint import arb
 from .algebra import NotProved, upper
 
 __all__ = ["Bounds", "radius"]
+
+#: room left in both radii, so that others may check them with bounds rounded differently
+MARGIN = arb(2) ** -10
 
 
 @dataclass(frozen=True)
@@ -54,12 +61,12 @@ def radius(bounds):
     discriminant = gain**2 - 2 * y * z2
     if not discriminant > 0:
         raise NotProved(f"not proved: {shown}; (1 - Z₁)² is not above 2 Y Z₂")
-    low = upper(2 * y / (gain + discriminant.sqrt()) * (1 + arb(2) ** -40))
+    low = upper(2 * y / (gain + discriminant.sqrt()) * (1 + MARGIN))
     high = bounds.largest
     if z2 > 0:
-        limit = (gain / z2 * (1 - arb(2) ** -40)).lower()
+        limit = (gain / z2 * (1 - MARGIN)).lower()
         high = limit if limit < high else high
-    if not low < high or not y - gain * low + z2 * low**2 / 2 < 0 or not z1 + z2 * low < 1:
+    if not (low < high and y - gain * low + z2 * low**2 / 2 <= 0 and z1 + z2 * high < 1):
         raise NotProved(f"not proved: {shown}; the radius {float(low):.3g} exceeds r* = "
                         f"{float(bounds.largest):.3g}")
     return low, high

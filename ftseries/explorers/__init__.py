@@ -8,5 +8,6 @@ from .coefficients import coefficients
 from .cubic import cubic
 from .figure_eight import figure_eight
 from .mathieu import mathieu
+from .stability import stability
 
-__all__ = ["coefficients", "cubic", "figure_eight", "mathieu"]
+__all__ = ["coefficients", "cubic", "figure_eight", "mathieu", "stability"]

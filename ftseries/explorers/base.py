@@ -159,6 +159,7 @@ def link(control, view, trait):
     if control.value != value:
         raise InputError(f"{control.description} = {value!r} is outside {control.min} … "
                          f"{control.max}; choose a value in this range")
+    control.tooltip = control.description       # without it, pages show the word "null"
     ipywidgets.jslink((control, "value"), (view, trait))
     return control
 

@@ -41,7 +41,7 @@ def approach(ax, distance, errors, label):
 
 
 def plane(ax, singularities, poles=(), inside=None, span=None, label="$z$"):
-    """The complex plane with poles, singularities and the circle of convergence through the nearest.
+    """The complex plane with poles, singularities, and the circle through the nearest of them.
 
     ``inside`` maps labels to further points, such as the physical value.
     """

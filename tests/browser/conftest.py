@@ -11,10 +11,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from browser.pages import NAMES, Explorer, Watched, served
+from browser.pages import NAMES, ROOT, Explorer, Watched, missing, served
 from ftbook import web
 
-ROOT = Path(__file__).parents[2]
 HERE = Path(__file__).parent
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 QUIET = (
@@ -22,13 +21,6 @@ QUIET = (
     "--disable-background-networking", "--disable-component-update",
     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",     # there is no outside
 )
-
-
-def missing(what):
-    """Skip, or fail in continuous integration."""
-    if os.environ.get("CI") == "true":
-        pytest.fail(f"{what}: continuous integration must not go without the browser tests")
-    pytest.skip(f"{what}: the browser tests do not run")
 
 
 @pytest.fixture(scope="session")
@@ -51,8 +43,8 @@ def minibook(tmp_path_factory):
     """The folder of the built small book: index, explorers, faults, plain."""
     folder = tmp_path_factory.mktemp("minibook")
     shutil.copytree(HERE / "minibook", folder, dirs_exist_ok=True)
-    for name in ("_config.yml", "requirements.lock", "book/_ext", "book/static", "book/web",
-                 "book/references.bib"):
+    for name in ("_config.yml", "requirements.lock", "book/_ext", "book/static", "book/templates",
+                 "book/web", "book/references.bib"):
         (folder / name).symlink_to(ROOT / name)
     fetched = ROOT / "_build" / "web" / web.version()       # else the build brings them
     if fetched.exists():
@@ -109,6 +101,23 @@ def visit(browser):
     for watched in pages:
         assert watched.said == []
         assert watched.outside == []
+
+
+@pytest.fixture(scope="session")
+def audit(tmp_path_factory):
+    """``audit(page)``: what axe-core (from npm, as package-lock.json says) finds serious."""
+    folder = tmp_path_factory.mktemp("axe")
+    for name in ("package.json", "package-lock.json", ".npmrc"):
+        shutil.copy(HERE / name, folder)
+    web.run_npm("ci", "--ignore-scripts", work=folder)
+    script = (folder / "node_modules" / "axe-core" / "axe.min.js").read_text(encoding="utf-8")
+
+    def run(page):
+        page.evaluate(script)
+        result = page.evaluate("axe.run(document, { resultTypes: ['violations'], preload: false })")
+        return [(fault["id"], [node["html"][:200] for node in fault["nodes"]][:3])
+                for fault in result["violations"] if fault["impact"] in ("serious", "critical")]
+    return run
 
 
 @pytest.fixture

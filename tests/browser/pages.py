@@ -3,12 +3,25 @@
 import contextlib
 import functools
 import http.server
+import os
 import threading
 from dataclasses import dataclass, field
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
 
 # html-manager's JSON schema validator says this about html-manager's own schema, once a schema.
 KNOWN = ("strict mode: use allowUnionTypes",)
 NAMES = ("cubic", "mathieu", "figure_eight", "coefficients")    # their order on the page
+
+
+def missing(what):
+    """Skip, or fail in continuous integration."""
+    if os.environ.get("CI") == "true":
+        pytest.fail(f"{what}: continuous integration must not go without the browser tests")
+    pytest.skip(f"{what}: the browser tests do not run")
 
 
 @contextlib.contextmanager

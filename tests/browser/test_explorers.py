@@ -1,12 +1,11 @@
-"""Explorers in the built page, without a kernel: they render, every control works, numbers agree."""
+"""Explorers in the built page, without a kernel: they render, controls work, numbers agree."""
 
 import numpy as np
 import pytest
+from browser.pages import NAMES, Explorer
 
 import ftseries as fts
 from ftseries.references import cubic, mathieu
-
-from browser.pages import NAMES, Explorer
 
 pytestmark = pytest.mark.filterwarnings("ignore::ftseries.ConvergenceWarning")
 
@@ -23,3 +22,219 @@ def test_every_explorer_renders(visit, address):
         assert "order" in explorer.status
         assert all(len(picture) > 2000 for picture in explorer.pictures())     # not blank
     assert page.locator("mjx-container").count() > 0                        # formulas beside them
+
+
+@pytest.mark.parametrize("name, control, key, trace", [
+    ("cubic", "λ", "ArrowRight", "λ = 1.01"), ("cubic", "order", "ArrowRight", "order 13"),
+    ("cubic", "order", "ArrowLeft", "order 11"), ("cubic", "λ", "Home", "λ = 0.00"),
+    ("mathieu", "λ", "ArrowLeft", "λ = 1.99"), ("mathieu", "μ", "ArrowRight", "μ = −0.29"),
+    ("mathieu", "order", "End", "order 60"),
+    ("figure_eight", "λ", "Home", "λ = 0.000"), ("figure_eight", "order", "ArrowRight", "order 13"),
+    ("coefficients", "order", "ArrowLeft", "order 23"),
+])
+def test_sliders_change_state_and_picture(explorer, name, control, key, trace):
+    shown = explorer(name)
+    before, pixels = shown.status, shown.pictures()
+    shown.handle(control).press(key)
+    assert trace in shown.status and trace not in before
+    assert not pixels or shown.pictures() != pixels
+
+
+def test_screen_readers_hear_the_shown_value(explorer):
+    """noUiSlider alone would say 1.0 and 1.0099999999999998."""
+    handle = explorer("cubic").handle("λ")
+    handle.press("ArrowRight")
+    handle.page.wait_for_timeout(100)
+    assert handle.get_attribute("aria-valuenow") == handle.get_attribute("aria-valuetext") == "1.01"
+
+
+def test_sliders_can_be_dragged(visit, address):
+    """By mouse, over http and from the disk."""
+    shown = Explorer(visit(f"{address}/explorers.html"), NAMES.index("cubic"))
+    before = shown.value("λ")
+    box = shown.handle("λ").bounding_box()
+    middle = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    shown.page.mouse.move(*middle)
+    shown.page.mouse.down()
+    shown.page.mouse.move(middle[0] + 60, middle[1], steps=4)
+    shown.page.mouse.up()
+    assert shown.value("λ") > before
+    assert f"λ = {shown.value('λ'):.2f}" in shown.status
+
+
+def test_time_slider_moves_the_particle(explorer):
+    shown = explorer("cubic")
+    pixels = shown.pictures()
+    shown.handle("t").press("PageUp")
+    t = shown.value("t")
+    assert t > 0 and f"x({t:.2f}), series" in shown.readings
+    assert shown.pictures() != pixels
+
+
+def test_play_and_pause(explorer):
+    shown = explorer("cubic")
+    play = shown.button("Play")
+    assert play.get_attribute("aria-pressed") == "false"
+    play.click()
+    shown.page.wait_for_timeout(600)
+    assert play.get_attribute("aria-pressed") == "true"
+    play.click()
+    stopped = shown.value("t")
+    assert stopped > 0.1
+    shown.page.wait_for_timeout(400)
+    assert shown.value("t") == stopped
+
+
+def test_grow_fills_the_triangle(explorer):
+    shown = explorer("coefficients")
+    shown.handle("order").press("Home")
+    assert "1 coefficients" in shown.status or "1 coefficient" in shown.status
+    shown.button("Grow").click()
+    shown.page.wait_for_function("order => order.getAttribute('aria-valuenow') >= 2",
+                                 arg=shown.handle("order").element_handle())
+
+
+def test_map_takes_lambda_and_mu(explorer):
+    shown = explorer("mathieu")
+    picture = shown.box.get_by_role("img", name="Map over λ and μ")
+    box = picture.bounding_box()
+    picture.click(position={"x": 0.5 * box["width"], "y": 0.3 * box["height"]})
+    assert 0.9 < shown.value("λ") < 2 and 0 < shown.value("μ") < 0.5
+    assert f"λ = {shown.value('λ'):.2f}, μ = {shown.value('μ'):.2f}" in shown.status
+
+
+def test_the_button_of_the_eight_closes_the_chain(explorer):
+    shown = explorer("figure_eight")
+    shown.button("Set λ = λₙ").click()
+    shown.page.wait_for_timeout(2500)           # λ glides
+    zero = fts.figure_eight.closure_zero(fts.solve(fts.FigureEight(), order=12))
+    assert abs(shown.number("λ₁₂") - zero) < TOLERANCE
+    assert abs(shown.number("Sₓ")) < TOLERANCE
+    assert f"λ = {zero:.3f}" in shown.status
+
+
+def states(*ranges):
+    random = np.random.default_rng(11)
+    return [[round(float(random.uniform(*ends)), 2) for ends in ranges]
+            + [int(random.integers(2, 61))] for _ in range(CASES)]
+
+
+def test_cubic_agrees_with_python(explorer):
+    solution = fts.solve(fts.CubicOscillator(a=1), order=60)
+    shown = explorer("cubic")
+    for lam, t, order in states((0, 3), (0, 6)):
+        for name, value in (("λ", lam), ("t", t), ("order", order)):
+            shown.type(name, value)
+        cut = solution.truncate(order)
+        w, x = cut.evaluate("omega", lam=lam), cut.evaluate("x", t, lam=lam)
+        assert abs(shown.number("ω, series") - w) < TOLERANCE
+        assert abs(shown.number(f"x({t:.2f}), series") - x) < TOLERANCE
+        assert abs(shown.number("ω, exact") - cubic.frequency(lam)) < TOLERANCE
+        assert abs(shown.number(f"x({t:.2f}), exact") - cubic.position(t, lam)) < TOLERANCE
+        assert shown.status.startswith(f"order {order}, λ = {lam:.2f}, largest error")
+
+
+def test_mathieu_agrees_with_python(explorer):
+    solution = fts.solve(fts.GeneralizedMathieu(), order=60)
+    shown = explorer("mathieu")
+    for lam, mu, order in states((0.1, 2.5), (-0.5, 0.5)):
+        for name, value in (("λ", lam), ("μ", mu), ("order", order)):
+            shown.type(name, value)
+        cut = solution.truncate(order)
+        a, psi = cut.evaluate("a", lam=lam, mu=mu), cut.evaluate("psi", np.pi / 2, lam=lam, mu=mu)
+        assert abs(shown.number("a, series") - a) < TOLERANCE * max(1, abs(a))
+        assert abs(shown.number("ψ(π/2), series") - psi) < TOLERANCE * max(1, abs(psi))
+        assert abs(shown.number("a, Hill matrix") - mathieu.eigenvalue(lam, mu)) < TOLERANCE
+        exact = mathieu.eigenfunction(np.pi / 2, lam, mu)
+        assert abs(shown.number("ψ(π/2), Hill matrix") - exact) < TOLERANCE
+
+
+def test_eight_agrees_with_python(explorer):
+    solution = fts.solve(fts.FigureEight(), order=60)
+    shown = explorer("figure_eight", reduced_motion="reduce")
+    for lam, t, order in states((0, 2.3), (0, 6)):
+        order += order % 2
+        for name, value in (("λ", lam), ("t", t), ("order", order)):
+            shown.type(name, value)
+        cut = solution.truncate(order)
+        assert abs(shown.number("Sₓ") - fts.figure_eight.closure(cut, lam)) < TOLERANCE
+        readings = shown.readings
+        bodies = fts.figure_eight.positions(cut, t, lam)
+        for number, body in zip("₁₂₃", bodies, strict=True):
+            text = readings[f"r{number}"].replace("−", "-").replace(" ", "").replace("i", "j")
+            assert abs(complex(text) - body) < 1e-3
+
+
+def test_triangle_shows_the_exact_numbers(explorer):
+    solution = fts.solve(fts.FigureEight(), order=24)
+    shown = explorer("coefficients")
+    cells = shown.box.get_by_role("gridcell")
+    assert cells.count() == sum(np.count_nonzero(row) for row in solution.table("r").values())
+    cell = shown.box.get_by_role("gridcell", name="r, n = 2, m = 6: 5 · ∛3/4096")    # (E6b)
+    cell.hover()
+    detail = shown.box.locator(".ft-detail")
+    assert detail.inner_text() == "r2, 6 = 5 · ∛3/4096 ≈ 0.00176056"
+    cells.last.focus()
+    assert "≈" in detail.inner_text() and "r2, 6" not in detail.inner_text()
+
+
+@pytest.mark.parametrize("control, typed, said, value", [
+    ("λ", "9", "λ = 9 is outside 0 … 3.5; 3.5 is shown.", 3.5),
+    ("λ", "-1", "λ = -1 is outside 0 … 3.5; 0 is shown.", 0),
+    ("order", "400", "order = 400 is outside 2 … 60; 60 is shown.", 60),
+    ("λ", "much", "“much” is not a number; λ stays as it was.", 1),
+    ("λ", "0.5", "", 0.5),
+])
+def test_typed_values_are_clamped_and_said(explorer, control, typed, said, value):
+    shown = explorer("cubic")
+    shown.type(control, typed)
+    assert said in shown.note and bool(said) == bool(shown.note.split("Past")[0])
+    assert shown.value(control) == value
+
+
+def test_past_the_separatrix_the_reader_is_told(explorer):
+    shown = explorer("cubic")
+    shown.type("λ", 3.2)
+    assert "escapes" in shown.note and "no periodic solution" in shown.status
+    shown.type("λ", 3)
+    assert "escapes" not in shown.note and "largest error" in shown.status
+
+
+def test_what_cannot_be_shown_says_so_in_its_place(visit, disk):
+    page = visit(f"{disk}/faults.html")
+    page.locator(".ft-status:not(:empty)").last.wait_for()
+    errors = page.locator(".ft-explorer").evaluate_all(
+        "all => all.map(box => box.querySelector('.ft-error')?.textContent ?? "
+        "box.querySelector('.ft-note').textContent)")
+    assert errors == [
+        "This explorer cannot be shown. The coefficients of x contain NaN or infinite numbers.",
+        "This explorer cannot be shown. The series of x is empty: there is nothing to show.",
+        "Order 40 is not stored; order 10 is shown.",
+        "λ = 7 is outside 0 … 3.5; 3.5 is shown. " + errors[3].partition("shown. ")[2],
+        "This explorer cannot be shown. The coefficients of phi contain NaN or infinite numbers.",
+        "This explorer cannot be shown. The coefficients of r contain NaN or infinite numbers.",
+        "This explorer cannot be shown. The series of psi is empty: there is nothing to show.",
+        "",
+    ]
+    well = Explorer(page, 7)                    # the rest of the page lives on
+    well.handle("λ").press("ArrowRight")
+    assert "λ = 1.01" in well.status
+
+
+def test_pages_without_widgets_load_no_widget_code(visit, address):
+    page = visit(f"{address}/index.html")
+    page.locator("mjx-container").first.wait_for()
+    asked = page.watched.asked
+    assert any("mathjax" in url for url in asked)
+    widget_code = ("require", "html-manager", "anywidget")
+    assert not [url for url in asked if any(name in url for name in widget_code)]
+
+
+def test_without_javascript_a_picture_stands_in(visit, disk):
+    page = visit(f"{disk}/explorers.html", java_script_enabled=False)
+    pictures = page.locator("noscript img")
+    assert pictures.count() == len(NAMES)
+    for number in range(len(NAMES)):
+        assert pictures.nth(number).get_attribute("alt").startswith("Explorer. ")
+        pictures.nth(number).scroll_into_view_if_needed()
+        assert pictures.nth(number).evaluate("image => image.naturalWidth") > 400

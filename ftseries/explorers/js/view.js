@@ -214,21 +214,21 @@ class Stage {
     const dress = () => {
       for (const control of controls.querySelectorAll(".jupyter-widgets")) {
         const name = control.querySelector(".widget-label")?.textContent;
-        if (!name) continue;
-        control.querySelector(".noUi-handle")?.setAttribute("aria-label", name);
+        const handle = control.querySelector(".noUi-handle");
         const readout = control.querySelector(".widget-readout");
-        readout?.setAttribute("role", "textbox");
-        readout?.setAttribute("aria-label", `${name}, typed`);
+        if (!name || !handle || !readout) continue;
+        const value = readout.textContent;
+        keep(handle, { "aria-label": name, "aria-valuetext": value, "aria-valuenow": plain(value) });
+        keep(readout, { role: "textbox", "aria-label": `${name}, typed` });
       }
       for (const button of controls.querySelectorAll(".widget-toggle-button")) {
-        const pressed = String(button.classList.contains("mod-active"));
-        if (button.getAttribute("aria-pressed") !== pressed) button.setAttribute("aria-pressed", pressed);
+        keep(button, { "aria-pressed": String(button.classList.contains("mod-active")) });
       }
     };
     dress();
     const watch = new MutationObserver(dress);
     watch.observe(controls, {
-      subtree: true, childList: true, attributes: true, attributeFilter: ["class"],
+      subtree: true, childList: true, attributes: true, attributeFilter: ["class", "aria-valuetext"],
     });
     const typed = (event) => {
       if (event.type === "keydown" && event.key !== "Enter") return;
@@ -254,12 +254,23 @@ class Stage {
   #judge(readout) {
     const slider = readout.parentElement.querySelector(".noUi-handle");
     const name = slider?.getAttribute("aria-label");
-    const [text, value] = [readout.textContent, Number(readout.textContent.replace("−", "-"))];
+    const [text, value] = [readout.textContent, plain(readout.textContent)];
     const [low, high] = ["aria-valuemin", "aria-valuemax"].map((end) => Number(slider?.getAttribute(end)));
     if (Number.isNaN(value)) this.typed = `“${text}” is not a number; ${name} stays as it was.`;
     else if (value < low || value > high) this.typed = outside(name, value, low, high);
     this.redraw();
   }
+}
+
+function keep(node, attributes) {
+  for (const [name, value] of Object.entries(attributes)) {
+    if (node.getAttribute(name) !== String(value)) node.setAttribute(name, value);
+  }
+}
+
+/** The number of a readout, whose minus sign is a typographic one. */
+function plain(text) {
+  return Number(text.replace("−", "-"));
 }
 
 function clamped(value, low, high) {

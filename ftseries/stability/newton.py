@@ -1,0 +1,146 @@
+r"""Newton's variational equations along a periodic motion of equal masses in the plane.
+
+Formula.  With r_ij = r_i - r_j and η_ij = η_i - η_j a disturbance η of a solution r of (E0) obeys
+
+.. math::  \ddot η_i = \sum_{j \ne i} \left( -\frac{η_{ij}}{|r_{ij}|^3}
+           + \frac{3 (r_{ij} · η_{ij})\, r_{ij}}{|r_{ij}|^5} \right).
+
+Each symmetry gives an eigenvector e of the monodromy matrix, M e = e, and its conserved quantity
+the left eigenvector (J e)^T: eight multipliers 1, in Jordan blocks.  They are split off first.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import eig, null_space, orth
+
+from ..errors import InputError
+from ..trig import finite
+from .variation import Monodromy, monodromy, safe, symplectic
+
+__all__ = ["Bodies", "bodies"]
+
+_SAMPLES = 512                               # of the positions over one period
+
+
+@dataclass(frozen=True, eq=False)
+class Bodies(Monodromy):
+    """Monodromy of n bodies of mass 1 in the plane, in x_1, y_1, …, x_n, y_n and their velocities.
+
+    Attributes
+    ----------
+    symmetries : numpy.ndarray
+        Four columns e with M e = e: shifts along x and y, shift of time, rotation.
+    scaling : numpy.ndarray
+        The disturbance w = (2r, -v) towards other sizes: by Kepler's third law M w = w - 3T e_time.
+    defect : float
+        Largest entry of M e - e over the symmetries; zero along a solution of Newton's equations.
+    """
+
+    symmetries: np.ndarray
+    scaling: np.ndarray
+    defect: float
+
+    @property
+    def basis(self):
+        """Orthonormal columns: disturbances that change no integral, without the symmetries.
+
+        The gradients of momentum, energy and angular momentum are the (J e)^T, left eigenvectors
+        of M; the columns span their common kernel up to the e.
+        """
+        forced = orth(self.symmetries, rcond=1e-6)
+        kernel = null_space((symplectic(len(self.matrix)) @ forced).T)
+        return kernel @ null_space(forced.T @ kernel, rcond=1e-6)
+
+    @property
+    def essential(self):
+        """M on `basis`, modulo the symmetries: 4 × 4 for the eight, free of Jordan blocks."""
+        return self.basis.T @ self.matrix @ self.basis
+
+    def rotation_numbers(self):
+        """(ν, errors): 0 ≤ ν ≤ 1/2 of the essential multipliers exp(±2πiν), ascending.
+
+        The error is the multipliers' condition number times ``error`` and ``defect``.
+
+        Raises
+        ------
+        InputError
+            A multiplier lies off the unit circle by more than its error: the orbit is unstable.
+        """
+        values, left, right = eig(self.essential, left=True)
+        condition = 1 / np.abs((left.conj() * right).sum(axis=0))
+        errors = condition * (self.error + self.defect)
+        if np.any(np.abs(np.abs(values) - 1) > errors):
+            raise InputError(f"multipliers {np.round(values, 6)} lie off the unit circle: the "
+                             "orbit is unstable and has no rotation numbers; see essential")
+        turn = np.abs(np.angle(values)) / (2 * np.pi)
+        order = np.argsort(turn)[::2]
+        return turn[order], errors[order] / (2 * np.pi)
+
+
+def bodies(positions, period=2 * np.pi):
+    """The monodromy of Newton's variational equations along a periodic motion.
+
+    Parameters
+    ----------
+    positions : callable
+        Times of shape (N,) to complex x + iy of shape (n, N): n bodies of mass 1, smooth, periodic.
+    period : float
+
+    Raises
+    ------
+    InputError
+        The motion has more Fourier modes than can be told apart, or two bodies meet.
+
+    Examples
+    --------
+    >>> import ftseries as fts
+    >>> orbit = fts.solve(fts.FigureEight(), order=6).refine()
+    >>> m = bodies(lambda t: fts.figure_eight.positions(orbit, t, orbit.lam))
+    >>> m.rotation_numbers()[0].round(8)                            # both real: linearly stable
+    array([0.00842272, 0.29809253])
+    """
+    period = float(finite("period", period))
+    samples = np.asarray(positions(period * np.arange(_SAMPLES) / _SAMPLES))
+    if samples.ndim != 2 or samples.shape[-1] != _SAMPLES or not np.isfinite(samples).all():
+        raise InputError("positions(t) must be finite complex numbers of shape (bodies,) + t.shape")
+    modes = np.fft.fft(samples) / _SAMPLES
+    size = np.abs(modes).max()
+    if np.abs(modes[:, _SAMPLES // 3:-_SAMPLES // 3]).max() > 1e-11 * size:
+        raise InputError("positions are not smooth and periodic over this period: their Fourier "
+                         f"coefficients do not end before order {_SAMPLES // 3}")
+    keep = np.abs(modes).max(axis=0) > 1e-17 * size
+    modes, rate = modes[:, keep], 2j * np.pi * np.fft.fftfreq(_SAMPLES, period / _SAMPLES)[keep]
+    if np.abs(samples[:, None] - samples)[~np.eye(len(samples), dtype=bool)].min() < 1e-6 * size:
+        raise InputError("two of the bodies meet: Newton's force is infinite there")
+
+    n = 2 * len(modes)
+    block = np.block([[np.zeros((n, n)), np.eye(n)], [np.zeros((n, 2 * n))]])
+
+    def linear(t):
+        block[n:, :n] = _tidal(modes @ np.exp(rate * t))
+        return block
+
+    matrix, change = monodromy(linear, period, 2 * n)
+    r, v, force = (modes @ rate**k for k in range(3))
+    one = np.ones_like(r)
+    symmetries = np.stack([_state(one, 0 * r), _state(1j * one, 0 * r), _state(v, force),
+                           _state(1j * r, 1j * v)], axis=1)
+    return Bodies(matrix, period, safe(matrix, change), symmetries, _state(2 * r, -v),
+                  float(np.abs(matrix @ symmetries - symmetries).max()))
+
+
+def _state(position, velocity):
+    return np.concatenate([position, velocity]).view(float)
+
+
+def _tidal(r):
+    """The matrix of derivatives of the accelerations by the positions."""
+    u = r[:, None] - r
+    np.fill_diagonal(u, 1)
+    part = np.stack([u.real, u.imag], axis=-1)
+    pull = (np.eye(2) - 3 * part[..., :, None] * part[..., None, :] / np.abs(u[..., None, None])**2
+            ) / np.abs(u[..., None, None])**3
+    pull[np.diag_indices(len(r))] = 0
+    pull[np.diag_indices(len(r))] = -pull.sum(axis=1)
+    return pull.swapaxes(1, 2).reshape(2 * len(r), -1)

@@ -1,0 +1,58 @@
+"""Every page of the built book: nothing from outside, a clean console, explorers alive, no barrier.
+
+The book must be built (`make book`); where it is not, these tests are skipped, in continuous
+integration they fail.
+"""
+
+import pytest
+from browser.pages import ROOT, missing, served
+
+BUILT = ROOT / "_build" / "html"
+WIDGET_CODE = ("requirejs", "html-manager", "anywidget")
+
+
+def pages():
+    return sorted(page.relative_to(BUILT).as_posix() for page in BUILT.rglob("*.html")
+                  if "_static" not in page.parts)
+
+
+@pytest.fixture(scope="module", params=["http", "file"])
+def book(request):
+    if not (BUILT / "index.html").exists():
+        missing("the book is not built (make book)")
+    if request.param == "file":
+        yield BUILT.as_uri()
+    else:
+        with served(BUILT) as site:
+            yield site
+
+
+def test_every_page_stands_alone(visit, book):
+    for name in pages():
+        page = visit(f"{book}/{name}")
+        page.wait_for_load_state("load")
+        wanted = page.locator("script[type='application/vnd.jupyter.widget-view+json']").count()
+        page.wait_for_function(
+            "wanted => document.querySelectorAll('.ft-explorer').length >= wanted && "
+            "[...document.querySelectorAll('.ft-explorer')].every(box => "
+            "box.querySelector('.ft-error, .ft-status:not(:empty)'))", arg=wanted, timeout=60_000)
+        assert page.locator(".ft-error").count() == 0, name
+        loads = any(code in url for url in page.watched.asked for code in WIDGET_CODE)
+        assert loads == (wanted > 0), name
+        assert page.watched.outside == [], name
+        assert page.watched.said == [], name
+        page.context.close()
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_no_page_has_a_serious_barrier(visit, audit, theme):
+    if not (BUILT / "index.html").exists():
+        missing("the book is not built (make book)")
+    found = {}
+    for name in pages():
+        page = visit(f"{BUILT.as_uri()}/{name}", color_scheme=theme)
+        page.wait_for_load_state("load")
+        page.wait_for_timeout(1500)
+        found[name] = audit(page)
+        page.context.close()
+    assert {name: faults for name, faults in found.items() if faults} == {}

@@ -1,0 +1,115 @@
+"""The first non-linear steps, solved automatically."""
+
+import pytest
+import sympy as sp
+
+import ftseries as fts
+
+
+def automatic(equations, choice=None, parameters=(), **unknowns):
+    frequency = "omega" if isinstance(unknowns.get("omega"), fts.Scalar) else None
+    return fts.Equations(equations, unknowns, frequency=frequency, choice=choice,
+                         parameters=parameters)
+
+
+COS = fts.Field("cos", fixed=(1,))
+OMEGA = fts.Scalar()
+SEEDS = [
+    # the paper's (C7a), (C7b): x_0 = -1, amplitude 1, omega_0 = 2 sqrt 3
+    ("x'**2 = 4*(x - 2)*(x - lam + 1)*(x + lam + 1)", {"x": fts.Field("cos"), "omega": OMEGA},
+     {"x": "lam*cos(omega*t) - 1", "omega": "2*sqrt(3)"}),
+    # van der Pol: the amplitude 2 of the limit cycle, found at order 3
+    ("y'' + y = (lam**2 - y**2)*y'", {"y": fts.Field("both", fixed=((1, 1),)), "omega": OMEGA},
+     {"y": "2*lam*cos(omega*t)", "omega": "1"}),
+    # the equilibrium (1, 1) of Lotka and Volterra, about which both oscillate
+    (["u' = u*(1 - v)", "v' = -v*(1 - u)"],
+     {"u": fts.Field("both", fixed=(1,)), "v": fts.Field("both"), "omega": OMEGA},
+     {"u": "lam*cos(omega*t) + 1", "v": "lam*sin(omega*t) + 1", "omega": "1"}),
+    # a prescribed time dependence, in resonance with nothing: sign and size follow
+    ("x'' + 2*x = lam*cos(2*t)", {"x": fts.Field("cos")}, {"x": "-lam*cos(2*t)/2"}),
+    # Mathieu's equation of the paper: psi_1 = sin x, a_0 = 1
+    ("psi'' = (-a + lam**2*cos(2*t))*psi",
+     {"psi": fts.Field("sin", modes="odd", powers="odd", fixed=(1,)), "a": fts.Scalar("even")},
+     {"psi": "lam*sin(t)", "a": "1"}),
+]
+
+
+@pytest.mark.parametrize("equations, unknowns, seed", SEEDS, ids=lambda v: str(v)[:30])
+def test_a_seed_that_is_found(equations, unknowns, seed):
+    frequency = "omega" if "omega" in unknowns else None
+    problem = fts.Equations(equations, unknowns, frequency=frequency,
+                            ahead=1 if "cos(2*t)" in seed.get("x", "") else 0)
+    assert problem.seed_texts == seed
+
+
+def test_two_solutions_are_shown_and_selectable():
+    with pytest.raises(fts.InputError) as refusal:
+        automatic("x'' - x + x**3 = 0", x=COS, omega=OMEGA)
+    assert str(refusal.value) == (
+        "the first steps have 2 solutions, select one of them: "
+        "choice=0: x = lam*cos(omega*t) - 1, omega = sqrt(2); "
+        "choice=1: x = lam*cos(omega*t) + 1, omega = sqrt(2)")
+    left, right = (fts.solve(automatic("x'' - x + x**3 = 0", choice, x=COS, omega=OMEGA), 6)
+                   for choice in (0, 1))
+    for m in range(7):
+        # x to -x turns one into the other, with the amplitude λ reversed
+        assert right.coefficient("omega", m) == (-1)**m * left.coefficient("omega", m)
+        for n in range(m + 1):
+            assert right.coefficient("x", n, m) == -(-1)**m * left.coefficient("x", n, m)
+
+
+@pytest.mark.parametrize("choice", [2, -1, "a", 0.5])
+def test_a_choice_that_does_not_exist(choice):
+    with pytest.raises(fts.InputError, match=f"choice={choice!r}: the number of solutions"):
+        automatic("x'' - x + x**3 = 0", choice, x=COS, omega=OMEGA)
+
+
+def test_two_normal_modes():
+    """ω² = 1 and ω² = 3, the eigenvalues of the stiffness matrix [[2, -1], [-1, 2]]."""
+    pair = ["x'' + 2*x - y + x**3 = 0", "y'' + 2*y - x + y**3 = 0"]
+    unknowns = {"x": fts.Field("cos", modes="odd", fixed=(1,)), "y": fts.Field("cos", modes="odd"),
+                "omega": OMEGA}
+    seeds = [automatic(pair, choice, **unknowns).seed_texts for choice in (0, 1)]
+    assert {(s["y"], s["omega"]) for s in seeds} == {
+        ("lam*cos(omega*t)", "1"), ("-lam*cos(omega*t)", "sqrt(3)")}
+
+
+def test_a_forcing_that_breaks_the_mirror_keeps_both_signs():
+    """x″ + ω₀² x with cubic terms and a forcing at λ⁴: ±cos t are two motions, not one."""
+    with pytest.raises(fts.InputError) as refusal:
+        automatic("x'' + x + x**3 - lam**2*x = lam**4*cos(t)", x=fts.Field("cos"))
+    assert "choice=0: x = -2*sqrt(3)*lam*cos(t)/3; choice=1: x = 2*sqrt(3)*lam*cos(t)/3" in str(
+        refusal.value)
+
+
+def test_a_parameter_stays_a_symbol():
+    problem = automatic("x'' + x + mu*x**3 = 0", parameters=("mu",), x=COS, omega=OMEGA)
+    assert problem.seed_texts == {"x": "lam*cos(omega*t)", "omega": "1"}
+    assert fts.solve(problem, 4).coefficient("omega", 2) == 3 * sp.Symbol("mu") / 8
+
+
+REFUSED = [
+    ("x'' + x + x**3 = 0", {"x": fts.Field("cos", modes="odd"), "omega": OMEGA},
+     fts.UndeterminedError, "leave the coefficient of cos 1τ in x at order 1 of λ free"),
+    ("x'' + x = lam*cos(t)", {"x": fts.Field("cos")},
+     fts.ContradictionError, "no first coefficients satisfy \\(1\\) at order 1 of λ: a resonance"),
+    ("x'' + x = x'", {"x": COS, "omega": OMEGA},
+     fts.ContradictionError, "no first coefficients satisfy \\(1\\) at order 1"),
+    ("x'' + x + x**2 = 0", {"x": fts.Field("cos", modes="odd", fixed=(1,)), "omega": OMEGA},
+     fts.ContradictionError, "at order 2 of λ: .* an ansatz without the symmetry"),
+    ("x'' - x = 0", {"x": COS, "omega": OMEGA},
+     fts.ContradictionError, "no first coefficients satisfy"),
+    ("x'' + 2*x + x**3 = 0", {"x": fts.Field("cos")},
+     fts.ContradictionError, "only solutions at rest"),
+    ("x'' + sqrt(x) = 0", {"x": COS, "omega": OMEGA},
+     fts.InputError, "\\(sqrt\\(x\\) is not polynomial\\); give a seed for x, omega"),
+    ("x'' + x + x**3 = 0", {"x": fts.Field("cos", fixed=(0, 1)), "omega": OMEGA},
+     fts.InputError, "several amplitudes are fixed \\(x at 0, x at 1\\).* give a seed for x"),
+]
+
+
+@pytest.mark.parametrize("equation, unknowns, kind, message", REFUSED,
+                         ids=lambda v: str(v)[:30])
+def test_first_steps_that_are_refused(equation, unknowns, kind, message):
+    with pytest.raises(kind, match=message):
+        automatic(equation, **unknowns)

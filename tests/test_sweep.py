@@ -1,0 +1,101 @@
+"""Families in bulk: in this process, in others, on a cluster."""
+
+import importlib.util
+import os
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from multiprocessing import get_context
+
+import pytest
+
+import ftseries as fts
+
+VALUES = [1, 0, 4, -1, 9]
+
+
+def expected(found):
+    assert [bool(f) for f in found] == [True, False, True, False, True]
+    for value, sol in zip(VALUES, found):
+        if sol:
+            assert sol.coefficient("omega", 0) ** 2 == 12 * value
+    assert [f.value for f in found if not f] == [0, -1]
+    assert all(isinstance(f.error, fts.InputError) for f in found if not f)
+    assert repr(found[3]).startswith("<no solution at -1: InputError: ")
+
+
+def test_in_order_and_without_losing_the_others():
+    expected(fts.sweep(fts.CubicOscillator, VALUES, order=4, progress=False))
+
+
+def test_in_other_processes():
+    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as executor:
+        expected(fts.sweep(fts.CubicOscillator, VALUES, 4, executor=executor, progress=False))
+
+
+def test_in_threads_with_options():
+    with ThreadPoolExecutor(2) as executor:
+        found = fts.sweep(fts.GeneralizedMathieu, [0, 0.25], 12, executor=executor,
+                          arithmetic="float")
+    assert [sol.arithmetic for sol in found] == ["float", "float"]
+    assert found[1].problem.arguments() == fts.GeneralizedMathieu(0.25).arguments()
+
+
+@pytest.mark.skipif(not importlib.util.find_spec("distributed"),
+                    reason="dask.distributed is not installed: pip install distributed")
+def test_on_a_local_dask_cluster():
+    from distributed import Client
+    with Client(n_workers=2, threads_per_worker=1, dashboard_address=None) as client:
+        expected(fts.sweep(fts.CubicOscillator, VALUES, 4, executor=client.get_executor(),
+                           progress=False))
+
+
+def duffing(stiffness):
+    return fts.Equations("x'' + x + k*x**3 = 0", parameters={"k": stiffness}, frequency="omega",
+                         unknowns={"x": fts.Field("cos", fixed=(1,)), "omega": fts.Scalar()})
+
+
+def test_equations_travel_between_processes():
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as executor:
+        found = fts.sweep(duffing, [1, 2], 4, executor=executor, progress=False)
+    assert [8 * sol.coefficient("omega", 2) for sol in found] == [3, 6]
+
+
+def dies(value):
+    if value == 1:
+        os._exit(1)
+    return fts.CubicOscillator(value)
+
+
+def test_a_worker_that_dies_is_reported():
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as executor:
+        found = fts.sweep(dies, [4, 1], 2, executor=executor, progress=False)
+    assert not found[1]
+    assert found[1].value == 1
+    assert "BrokenProcessPool" in repr(found[1])
+
+
+class Slow(Executor):
+    """Futures that :func:`concurrent.futures.as_completed` does not know."""
+
+    def submit(self, function, *arguments):
+        future = Future()
+        future.set_result(function(*arguments))
+        foreign = type("Foreign", (), {"result": lambda self: future.result()})()
+        return foreign
+
+
+def test_futures_of_another_library():
+    expected(fts.sweep(fts.CubicOscillator, VALUES, 4, executor=Slow(), progress=False))
+
+
+def broken(value):
+    raise ZeroDivisionError("a mistake in the caller's own function")
+
+
+def test_a_mistake_in_the_function_is_not_hidden_as_a_missing_solution():
+    with pytest.raises(ZeroDivisionError):
+        fts.sweep(broken, [1], 2, progress=False)
+
+
+def test_an_executor_without_submit():
+    with pytest.raises(fts.InputError, match="executor=2 has no method submit; give one like"):
+        fts.sweep(fts.CubicOscillator, [1], 2, executor=2)
