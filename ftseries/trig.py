@@ -156,7 +156,8 @@ class Ring:
         if quarters.q != 1:
             raise InputError(f"a shift by {fraction} of a period multiplies some mode by an "
                              "irrational number, but every solve begins in exact arithmetic; use "
-                             "the sum over all shifts of a choreography, Series.neighbours")
+                             "the sum over all shifts of a choreography, Series.neighbours, or "
+                             "for twelfths declare the problem with surd = True")
         return ((1, 0), (0, 1), (-1, 0), (0, -1))[int(quarters.p) % 4]
 
     def negligible(self, number, scale):

@@ -62,7 +62,7 @@ def at_least(x, digits=3):
 
 def _decimal(x, digits, rounding):
     d = Context(prec=digits, rounding=rounding).create_decimal(Decimal(x))
-    return f"{d:.{digits - 1}e}"
+    return f"{d:g}"
 
 
 def norm(trig, nu):

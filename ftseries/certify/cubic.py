@@ -109,7 +109,7 @@ def cubic_bound(a, lam, order, precision=256):
     >>> from ftseries import certify
     >>> bound = certify.cubic_bound(1, "0.5", 24)
     >>> bound.amplitudes < 3e-21, bound.omega < 4e-22, bound.at(100) < 4e-20
-    ?
+    (True, True, True)
     """
     a, lam = rational(a), rational(lam)
     if not a > 0 or not lam > 0:

@@ -75,7 +75,7 @@ class EightTheorem:
                 f"within {at_most(upper(total))} of it (ℓ¹ norm, ν = {self.nu}, unit 3^(1/3)). "
                 f"The bodies never collide. λ₀ = {self.lam.str(25)}. [N = {self.modes}, "
                 f"Y = {at_most(b.y)}, Z₁ = {at_most(b.z1)}, Z₂ = {at_most(b.z2)}, "
-                f"r* = {float(b.largest):.0e}]")
+                f"r* = {at_least(b.largest)}]")
 
     def save(self, path):
         """Write a certificate: the claims, and what :func:`ftseries.certify.check` needs."""
@@ -188,7 +188,7 @@ def _prove(u, modes, nu):
     norm_a = largest_of((norm_a, arb(1) / (modes + 1) ** 2))
     y_bound = _y(u, x, y, g, a, index, modes, weight, norm_a)
     z1 = _z1(a, block, entry, m, index, modes, top, weight, norm_a * rest)
-    largest = arb("1e-6")
+    largest = arb(2) ** -20
     z2 = _z2(w, v, x, y, norm_a, largest)
     bounds = Bounds(y_bound, z1, z2, largest)
     low, high = radius(bounds)

@@ -60,8 +60,8 @@ class EigenvalueTheorem:
 
     def __str__(self):
         return (f"Theorem. For λ = {self.lam}, μ = {self.mu} the lowest a for which (M1) has an "
-                f"odd 2π-periodic solution is {self.a.str(40)}; the next with odd modes is at least "
-                f"{at_least(self.beta, 6)}. [N = {len(self.vector)}]")
+                f"odd 2π-periodic solution is {self.a.str(40)}; the next with odd modes is at "
+                f"least {at_least(self.beta, 6)}. [N = {len(self.vector)}]")
 
     def save(self, path):
         """Write a certificate for :func:`ftseries.certify.check`."""

@@ -10,23 +10,29 @@ __all__ = ["ratios", "approach", "plane", "radius", "oscillation", "errors"]
 _MARKS = ("o", "s", "^", "D")
 
 
-def ratios(ax, sequences, limit):
-    """The plot of Domb and Sykes: c_k/c_{k-1} over 1/k, one set of points for each sequence.
+def ratios(left, right, sequences, limit):
+    """The plot of Domb and Sykes on ``left``, the exponents that single ratios give on ``right``.
 
-    ``sequences`` maps a label to coefficients; ``limit`` is the reciprocal of the true singularity.
+    Points c_k/c_{k-1} over 1/k, one set for each of the ``sequences``, a dict from a label to
+    coefficients; and k (1 - c_k/(limit c_{k-1})) - 1, which tends to s, with the known ``limit``.
 
     >>> from matplotlib.figure import Figure
-    >>> ax = Figure().subplots()
-    >>> ratios(ax, {"geometric": [1.0, 0.5, 0.25]}, 0.5)
-    >>> len(ax.lines)
-    2
+    >>> left, right = Figure().subplots(1, 2)
+    >>> ratios(left, right, {"logarithm": [1.0, 1 / 2, 1 / 3, 1 / 4]}, 1)
+    >>> right.lines[0].get_ydata().round(12).tolist()
+    [-0.5, -0.333333333333, -0.25]
     """
     for (label, c), colour, mark in zip(sequences.items(), COLOURS, _MARKS, strict=False):
         x, y = np.transpose(domb_sykes(c))
-        ax.plot(x, y, mark, color=colour, ms=5, mfc="none", ls="none", label=label)
-    ax.axhline(limit, color=GREY, ls=":", lw=1.2)
-    ax.set(xlabel="$1/k$", ylabel="$c_k/c_{k-1}$", xlim=(0, None))
-    ax.legend()
+        look = {"color": colour, "marker": mark, "ms": 5, "mfc": "none", "ls": "none"}
+        left.plot(x, y, label=label, **look)
+        right.plot(x, (1 - y / limit) / x - 1, label=label, **look)
+    left.axhline(limit, color=GREY, ls=":", lw=1.2)
+    right.axhline(0, color=GREY, ls=":", lw=1.2)
+    left.set(xlabel="$1/k$", ylabel="$c_k/c_{k-1}$", xlim=(0, None))
+    right.set(xlabel="$1/k$", ylabel="exponent $s$ from one ratio", xlim=(0, 0.35),
+              ylim=(-0.1, 0.25))
+    left.legend()
 
 
 def approach(ax, distance, errors, label):
