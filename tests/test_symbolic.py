@@ -282,6 +282,7 @@ TRANSLATING = [
     (X(T).diff(T, 2) + sp.I * X(T), "the number I; it must be finite and real"),
     ("x'' + x = lam*cos(3*omega*t)", "the term -lam\\*cos\\(3\\*omega\\*t\\) brings a Fourier"),
     ("x'' + x + sqrt(1 + lam*cos(2*omega*t))*x", "brings a Fourier order n before"),
+    ("x'' + x + x**3 = lam**9*cos(20*omega*t)", "the term .* brings a Fourier order n before"),
     ("0", "no equation contains x; correct"),
     ("x - x + lam = 0", "no equation contains x"),
     (["x'' + x", "x' - 1", "x"], "equations: 3, fields: 1 \\(x\\), scalars: 1; give one equation"),

@@ -50,7 +50,7 @@ def at_most(x, digits=3):
     """A decimal not below x, to print an upper bound.
 
     >>> at_most(arb("1.231e-9")), at_least(arb("1.239e-9"))
-    ('1.24e-9', '1.23e-9')
+    ('1.24e-09', '1.23e-09')
     """
     return _decimal(nextafter(float(x), inf), digits, ROUND_CEILING)
 
@@ -62,7 +62,7 @@ def at_least(x, digits=3):
 
 def _decimal(x, digits, rounding):
     d = Context(prec=digits, rounding=rounding).create_decimal(Decimal(x))
-    return f"{d:g}"
+    return f"{float(d):.{digits}g}"
 
 
 def norm(trig, nu):
