@@ -28,6 +28,17 @@ def test_analysis_inverts_synthesis(degree):
 
 
 @pytest.mark.parametrize("degree", DEGREES)
+def test_every_mode_that_fits_on_the_grid(degree):
+    """Also those above the degree, sin 2Mτ for example, whose column has another length."""
+    ring = FloatRing(degree)
+    for kind, orders in enumerate(ring.n):
+        for n in orders.tolist():
+            mode = kind >> 1, n
+            back = ring.from_modes({mode: 1.5}).modes()
+            assert all(abs(c - 1.5 * (key == mode)) < 1e-13 for key, c in back.items())
+
+
+@pytest.mark.parametrize("degree", DEGREES)
 def test_the_values_of_each_kind_are_those_of_its_functions(degree):
     ring = FloatRing(degree)
     for sine, n in keys(degree):

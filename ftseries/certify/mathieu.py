@@ -126,6 +126,8 @@ def mathieu_eigenvalue(lam, mu=0, digits=30):
     -2.9959818288053853293
     """
     lam, mu = rational(lam), rational(mu)
+    if not max(abs(lam), abs(mu)) < 10**12:
+        raise InputError(f"lam={lam}, mu={mu}: both must be below 10^12 in size")
     if not isinstance(digits, int) or not 1 <= digits <= 1000:
         raise InputError(f"digits={digits!r}: give an integer from 1 to 1000")
     size, precision = 16, int(3.33 * digits) + 96

@@ -5,9 +5,10 @@ evaluates the series itself, so an explorer works with no kernel, no server and 
 """
 
 from .coefficients import coefficients
+from .convergence import convergence
 from .cubic import cubic
 from .figure_eight import figure_eight
 from .mathieu import mathieu
 from .stability import stability
 
-__all__ = ["coefficients", "cubic", "figure_eight", "mathieu", "stability"]
+__all__ = ["coefficients", "convergence", "cubic", "figure_eight", "mathieu", "stability"]

@@ -14,7 +14,8 @@ ROOT = Path(__file__).parents[2]
 
 # html-manager's JSON schema validator says this about html-manager's own schema, once a schema.
 KNOWN = ("strict mode: use allowUnionTypes",)
-NAMES = ("cubic", "mathieu", "figure_eight", "coefficients")    # their order on the page
+# The explorers of minibook/book/explorers.md, in the order of the page.
+NAMES = ("cubic", "mathieu", "figure_eight", "coefficients", "convergence", "stability")
 
 
 def missing(what):

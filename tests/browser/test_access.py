@@ -28,7 +28,7 @@ def test_audit(visit, disk, audit, name, theme):
     assert audit(page) == []
 
 
-@pytest.mark.parametrize("number, name", enumerate(NAMES))
+@pytest.mark.parametrize("number, name", list(enumerate(NAMES)))
 def test_keyboard_reaches_every_control(visit, disk, number, name):
     """Tab alone; each focus is visible."""
     page = ready(visit(f"{disk}/explorers.html", reduced_motion="reduce"))

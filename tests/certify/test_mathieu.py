@@ -55,6 +55,12 @@ def test_series_of_other_problems_are_refused():
             theorem.series_error(other)
 
 
+def test_a_problem_too_large_for_the_matrix_is_not_proved(monkeypatch):
+    monkeypatch.setattr(mathieu, "LARGEST", 32)
+    with pytest.raises(NotProved, match="N = 32"):
+        mathieu_eigenvalue(1000)
+
+
 def test_a_small_matrix_or_a_poor_beta_proves_nothing():
     lam, mu = fmpq(6), fmpq(1)
     with pytest.raises(NotProved, match="not proved"):
@@ -68,7 +74,8 @@ def test_a_small_matrix_or_a_poor_beta_proves_nothing():
         mathieu._at_most_one_below(arb(2000), block, fmpq(2), fmpq(0), 16)
 
 
-@pytest.mark.parametrize("arguments", [("x",), (1, "nan"), (1, 0, 0), (1, 0, 2.5)])
+@pytest.mark.parametrize("arguments", [("x",), (1, "nan"), (1, 0, 0), (1, 0, 2.5),
+                                       ("1e400", 0)])
 def test_bad_arguments(arguments):
     with pytest.raises(fts.errors.InputError):
         mathieu_eigenvalue(*arguments)

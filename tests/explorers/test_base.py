@@ -22,6 +22,8 @@ MAKE = {
     "mathieu": lambda: explorers.mathieu(stored=16),
     "figure_eight": lambda: explorers.figure_eight(stored=20),
     "coefficients": lambda: explorers.coefficients(eight(), "r"),
+    "convergence": lambda: explorers.convergence(eight(24), order=20),
+    "stability": explorers.stability,
 }
 
 

@@ -143,7 +143,8 @@ function build(stage) {
       count += !hidden;
     }
     if (chosen.m > order) choose(cells[0]);
-    stage.say(`${name} to order ${order}: ${count} coefficients that are not zero`);
+    const noun = count === 1 ? "coefficient that is" : "coefficients that are";
+    stage.say(`${name} to order ${order}: ${count} ${noun} not zero`);
   }
 
   let waited = 0;
