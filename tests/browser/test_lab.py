@@ -62,10 +62,15 @@ def test_explorers_with_a_kernel(visit, lab):
     cells.first.click()
 
     def run(number):
-        cells.nth(number).locator(".cm-content").click()
-        page.keyboard.press("Shift+Enter")
-        finished = f".jp-InputPrompt:text-is('[{number + 1}]:')"
-        cells.nth(number).locator(finished).wait_for(timeout=60_000)
+        prompt = cells.nth(number).locator(".jp-InputPrompt")
+        for _ in range(10):                         # Lab drops keys while its kernel connects
+            cells.nth(number).locator(".cm-content").click()
+            page.keyboard.press("Shift+Enter")
+            page.wait_for_timeout(2000)
+            if prompt.inner_text() != "[ ]:":
+                break
+        cells.nth(number).locator(f".jp-InputPrompt:text-is('[{number + 1}]:')").wait_for(
+            timeout=60_000)
 
     for number in range(4):
         run(number)
