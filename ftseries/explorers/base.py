@@ -49,7 +49,7 @@ from ..solution import Solution
 
 __all__ = ["Explorer", "View", "bundle", "link", "pack", "packed", "picture"]
 
-SHARED = ("series.js", "plot.js", "view.js")
+SHARED = ("series.js", "axes.js", "plot.js", "view.js")
 _IMPORT = re.compile(r"^import [^;]*;\n", re.MULTILINE)
 _EXPORT = re.compile(r"^export (?!default)", re.MULTILINE)
 _COMMENT = re.compile(r"^ *//.*\n", re.MULTILINE)

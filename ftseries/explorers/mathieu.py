@@ -6,7 +6,9 @@ import traitlets
 
 from ..errors import FTSeriesError
 from ..figures import mathieu as figures
+from ..figures.style import GREY
 from ..problems import GeneralizedMathieu
+from ..references import mathieu as hill
 from ..solver import solve
 from .base import Explorer, View, link, pack, picture
 
@@ -60,12 +62,17 @@ def mathieu(order=12, lam=2.0, mu=-0.3, stored=60):
     ]
 
     def draw(left, right):
+        x = np.linspace(0, 2 * np.pi, 181)
+        exact, series = hill.eigenfunction(x, lam, mu), solution.truncate(order)
         figures.potential(left, [(lam, mu)])
-        figures.psi(right, solution.truncate(order), lam, mu)
+        right.plot(x, exact, color=GREY, linewidth=5, alpha=0.5, label="Hill matrix")
+        right.plot(x, series.evaluate("psi", x, lam=lam, mu=mu), label=f"series of order {order}")
+        right.set(xlabel="$x$", ylabel=r"$\psi(x)$")
+        right.legend()
 
     return Explorer(controls, view, picture(draw, 2),
                     f"Left, the potential of (M1) at λ = {lam:g}, μ = {mu:g}; right, ψ(x) by the "
-                    f"series of order {order} and numerically.")
+                    f"series of order {order} and by the Hill matrix.")
 
 
 def region(points=21, order=99):

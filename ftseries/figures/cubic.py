@@ -24,7 +24,7 @@ def potential(ax, lam, a=1):
     ('$x$', '$V(x)$')
     """
     left, right = cubic.turning_points(lam, a)
-    energy = cubic.energy(lam, a)
+    energy = cubic.energy(lam, a) + 0.0                     # no "-0" in the legend
     x = np.linspace(left - 0.7 * a, 2.2 * a, 401)
     ax.plot(x, cubic.potential(x, lam, a), label="$V(x)$", color=style.BLUE, linestyle="-")
     ax.axhline(energy, color=style.GREY, linewidth=0.8, linestyle=":")

@@ -2,6 +2,8 @@
 
 import json
 import re
+import shutil
+from pathlib import Path
 
 import anywidget
 import ipywidgets
@@ -58,6 +60,35 @@ def test_the_page_gets_one_module_and_no_address(explorer):
 
 def test_the_module_is_javascript(run_javascript, explorer):
     assert run_javascript("output = 1;", None, *base.SHARED, *explorer.view.scripts) == 1
+
+
+def test_every_script_is_a_module_of_its_own(run_javascript, tmp_path):
+    """Its imports exist under their names."""
+    scripts = Path(base.__file__).parent / "js"
+    shutil.copytree(scripts, tmp_path, dirs_exist_ok=True)
+    (tmp_path / "package.json").write_text('{"type": "module"}')
+    found = run_javascript("""
+        output = [];
+        for (const url of input) output.push(Object.keys(await import(url)).length);
+        """, [file.as_uri() for file in sorted(tmp_path.glob("*.js"))])
+    assert len(found) >= 10 and all(found)
+
+
+@pytest.mark.parametrize("axis, texts", [
+    ({"range": [0, 6]}, ["0", "2", "4", "6"]),
+    ({"range": [-0.5, 0.5]}, ["−0.4", "−0.2", "0.0", "0.2", "0.4"]),
+    ({"range": [1e-16, 30], "log": True}, ["10⁻¹⁵", "10⁻¹⁰", "10⁻⁵", "10⁰"]),
+])
+def test_ticks_are_round(run_javascript, axis, texts):
+    assert run_javascript("output = ticks(input, 4).map(({ text }) => text);", axis,
+                          "axes.js") == texts
+
+
+@pytest.mark.parametrize("value, text", [
+    (0, "0"), (2.9e-8, "3e-8"), (0.0123, "0.01"), (-0.5, "−0.5"), (12345.0, "1e4"),
+])
+def test_short_numbers(run_javascript, value, text):
+    assert run_javascript("output = short(input, 1);", value, "axes.js") == text
 
 
 def test_a_picture_stands_in(explorer):

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from ftseries import explorers
+from ftseries.explorers import base
 from ftseries.explorers.mathieu import region
 from ftseries.references import mathieu
 
@@ -53,7 +54,7 @@ def test_edge_interpolates(run_javascript):
     found = run_javascript("""
         const region = { mu: [-1, 0, 2], radius: [3, 1, 5] };
         output = [-1, -0.5, 0, 1, 2].map((mu) => edge(region, mu));
-        """, None, "series.js", "plot.js", "view.js", "hill.js", "mathieu.js")
+        """, None, *base.SHARED, "hill.js", "mathieu.js")
     assert found == [3, 2, 1, 3, 5]
 
 
@@ -62,7 +63,7 @@ def test_colours_are_matplotlibs(run_javascript):
 
     errors = np.geomspace(1e-15, 1, 9)
     found = run_javascript("output = input.map((error) => colour(error));", [0, *errors, 1e3],
-                           "series.js", "plot.js", "view.js", "hill.js", "mathieu.js")
+                           *base.SHARED, "hill.js", "mathieu.js")
     expected = 255 * colormaps["cividis"](np.linspace(0, 1, 9))[:, :3]
     assert np.abs(np.array(found[1:-1]) - expected).max() < 1
     assert found[0] == found[1] and found[-2] == found[-1]

@@ -1,7 +1,8 @@
 // The triangle of coefficients (n, m) of one series, order by order. See coefficients.py.
 
 import { Complaint } from "./series.js";
-import { element, superscript } from "./plot.js";
+import { superscript } from "./axes.js";
+import { element } from "./plot.js";
 import { mount } from "./view.js";
 
 const STEP = 0.6; // seconds between two orders while it grows

@@ -1,7 +1,7 @@
 // The cubic oscillator, x'' = -V'(x): potential, motion, error and phase portrait. See cubic.py.
 
 import { linspace } from "./series.js";
-import { short } from "./plot.js";
+import { short } from "./axes.js";
 import { mount } from "./view.js";
 import { energy, frequency, position, potential, speed, top } from "./elliptic.js";
 

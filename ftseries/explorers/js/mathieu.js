@@ -1,7 +1,8 @@
 // The generalized Mathieu equation: eigenvalue, solution, error and the map of (λ, μ). See mathieu.py.
 
 import { horner, linspace } from "./series.js";
-import { element, short } from "./plot.js";
+import { short } from "./axes.js";
+import { element } from "./plot.js";
 import { mount } from "./view.js";
 import { eigenfunction, lowest } from "./hill.js";
 

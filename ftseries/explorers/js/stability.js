@@ -1,7 +1,7 @@
 // Hill's equation: discriminant, multipliers on the unit circle, a solution. See stability.py.
 
 import { linspace } from "./series.js";
-import { short } from "./plot.js";
+import { short } from "./axes.js";
 import { mount } from "./view.js";
 
 const [LOWEST, HIGHEST, LARGEST, WIDEST] = [-8, 12, 3, 0.5]; // a, λ, |μ|
