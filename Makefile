@@ -21,6 +21,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 help:
 	@echo "make book       build the book; prints where to open it"
 	@echo "make test       run everything: style, tests, doctests, notebooks, strict book"
+	@echo "make browser-tested  the built book and the explorers in a real browser (needs Chromium)"
 	@echo "make notebooks  execute all notebooks and store their outputs in normal form"
 	@echo "make lock       renew requirements.lock with the newest versions that fit"
 	@echo "make clean      delete what the other targets made"
@@ -51,30 +52,30 @@ book: $(READY)
 
 # --- the tests --------------------------------------------------------------------------------
 
-test: style unit notebooks-tested strict-book browser-tested
+test: style unit notebooks-tested strict-book
 	@echo "==> all tests passed"
 
 style: $(READY)
-	@echo "==> 1/5 style, imports, form of the notebooks"
+	@echo "==> 1/4 style, imports, form of the notebooks"
 	$(BIN)/ruff check .
 	$(BIN)/lint-imports
 	$(BIN)/python tools/normalise_notebooks.py --check
 
 unit: $(READY)
-	@echo "==> 2/5 unit tests and doctests"
+	@echo "==> 2/4 unit tests and doctests"
 	$(PYTEST) -n $(JOBS) --dist loadfile tests ftseries --ignore=tests/browser
 
 notebooks-tested: $(READY)
-	@echo "==> 3/5 every notebook, executed and compared with its stored outputs"
+	@echo "==> 3/4 every notebook, executed and compared with its stored outputs"
 	$(PYTEST) -n $(JOBS) --dist loadfile book
 
 strict-book: $(READY)
-	@echo "==> 4/5 the book from nothing, warnings are errors"
+	@echo "==> 4/4 the book from nothing, warnings are errors"
 	rm -rf _build/html _build/.doctrees _build/.jupyter_cache _build/jupyter_execute
 	$(BOOK)
 
 browser-tested: $(READY)
-	@echo "==> 5/5 every page of the built book in a browser without a network"
+	@echo "==> every page of the built book in a browser without a network"
 	$(PYTEST) -n $(JOBS) --dist loadfile tests/browser
 
 notebooks: $(READY)
