@@ -3,6 +3,8 @@
 PYTHON ?= python3
 VENV   ?= .venv
 JOBS   ?= 2
+# The scripts of the pages come by npm, and are tested in node: from PyPI where there is none.
+EXTRAS := book,test,browser$(shell command -v npm >/dev/null || echo ,web)
 
 BIN    := $(VENV)/bin
 READY  := $(VENV)/.ready
@@ -20,8 +22,8 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 help:
 	@echo "make book       build the book; prints where to open it"
-	@echo "make test       run everything: style, tests, doctests, notebooks, strict book"
-	@echo "make browser-tested  the built book and the explorers in a real browser (needs Chromium)"
+	@echo "make test       run everything: style, tests, doctests, notebooks, strict book, browser"
+	@echo "make browser-tested  the last of these alone (needs Chromium and the built book)"
 	@echo "make notebooks  execute all notebooks and store their outputs in normal form"
 	@echo "make lock       renew requirements.lock with the newest versions that fit"
 	@echo "make clean      delete what the other targets made"
@@ -35,7 +37,7 @@ $(READY): requirements.lock pyproject.toml
 	{ echo "Python 3.11 or later is needed: try make PYTHON=python3.12"; exit 1; }
 	@echo "==> installing the package and its tools into $(VENV)"
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install -c requirements.lock -e ".[book,test,browser]"
+	$(BIN)/python -m pip install -c requirements.lock -e ".[$(EXTRAS)]"
 	@touch $@
 
 # --- the book ---------------------------------------------------------------------------------
@@ -52,30 +54,30 @@ book: $(READY)
 
 # --- the tests --------------------------------------------------------------------------------
 
-test: style unit notebooks-tested strict-book
+test: style unit notebooks-tested strict-book browser-tested
 	@echo "==> all tests passed"
 
 style: $(READY)
-	@echo "==> 1/4 style, imports, form of the notebooks"
+	@echo "==> 1/5 style, imports, form of the notebooks"
 	$(BIN)/ruff check .
 	$(BIN)/lint-imports
 	$(BIN)/python tools/normalise_notebooks.py --check
 
 unit: $(READY)
-	@echo "==> 2/4 unit tests and doctests"
+	@echo "==> 2/5 unit tests and doctests"
 	$(PYTEST) -n $(JOBS) --dist loadfile tests ftseries --ignore=tests/browser
 
 notebooks-tested: $(READY)
-	@echo "==> 3/4 every notebook, executed and compared with its stored outputs"
+	@echo "==> 3/5 every notebook, executed and compared with its stored outputs"
 	$(PYTEST) -n $(JOBS) --dist loadfile book
 
 strict-book: $(READY)
-	@echo "==> 4/4 the book from nothing, warnings are errors"
+	@echo "==> 4/5 the book from nothing, warnings are errors"
 	rm -rf _build/html _build/.doctrees _build/.jupyter_cache _build/jupyter_execute
 	$(BOOK)
 
 browser-tested: $(READY)
-	@echo "==> every page of the built book in a browser without a network"
+	@echo "==> 5/5 every page of the built book in a browser without a network"
 	$(PYTEST) -n $(JOBS) --dist loadfile tests/browser
 
 notebooks: $(READY)

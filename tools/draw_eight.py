@@ -1,4 +1,4 @@
-"""Draw the picture of the README, book/assets/eight.svg: three bodies on the eight.
+"""Draw three bodies on the eight: the picture of the README, and the icon of the pages.
 
     python tools/draw_eight.py
 """
@@ -6,23 +6,47 @@
 from pathlib import Path
 
 import matplotlib as mpl
+import numpy as np
 from matplotlib.figure import Figure
 
 import ftseries as fts
 from ftseries.figures import figure_eight, style
 
-PATH = Path(__file__).parents[1] / "book" / "assets" / "eight.svg"
+BOOK = Path(__file__).parents[1] / "book"
 
 
-def draw(path=PATH):
+def draw(path=BOOK / "assets" / "eight.svg"):
     """Write the picture to ``path``; the same bytes each time."""
-    sol = fts.solve(fts.FigureEight(), order=200, arithmetic="float")
-    lam = fts.figure_eight.closure_zero(sol)
-    with style.context(), mpl.rc_context({"svg.hashsalt": "eight"}):
+    with style.context():
         fig = Figure(figsize=(6.4, 2.6))
-        figure_eight.emblem(fig.subplots(), lambda t: fts.figure_eight.positions(sol, t, lam))
+        figure_eight.emblem(fig.subplots(), positions)
+        save(fig, path)
+
+
+def draw_icon(path=BOOK / "static" / "icon.svg"):
+    """Write a square with the leaning eight to ``path``."""
+    fig = Figure(figsize=(1, 1), facecolor="none")
+    ax = fig.add_axes((0.08, 0.08, 0.84, 0.84))
+    orbit, bodies = positions(np.linspace(0, 2 * np.pi, 121))[2], positions(0.25)
+    for z, look in ((orbit, {"lw": 6, "color": style.BLUE}),
+                    (bodies, {"ls": "", "marker": "o", "ms": 14, "color": style.VERMILION})):
+        z = z * np.exp(-0.25j * np.pi)
+        ax.plot(z.real, z.imag, clip_on=False, **look)
+    ax.set(aspect="equal")
+    ax.set_axis_off()
+    save(fig, path)
+
+
+def positions(t):
+    sol = fts.solve(fts.FigureEight(), order=200, arithmetic="float")
+    return fts.figure_eight.positions(sol, t, fts.figure_eight.closure_zero(sol))
+
+
+def save(fig, path):
+    with mpl.rc_context({"svg.hashsalt": "eight"}):
         fig.savefig(path, metadata={"Date": None, "Creator": None})
 
 
 if __name__ == "__main__":
     draw()
+    draw_icon()

@@ -1,9 +1,5 @@
 """The explorer of the figure eight: JavaScript and Python give the same numbers."""
 
-import json
-import shutil
-import subprocess
-
 import numpy as np
 import pytest
 
@@ -25,22 +21,11 @@ def solution():
     return fts.solve(fts.FigureEight(), order=60)
 
 
-@pytest.fixture(scope="module")
-def javascript(tmp_path_factory):
-    """Run a script after the explorer's own, with ``input`` given; its value ``output`` returns."""
-    node = shutil.which("node")
-    if node is None:
-        pytest.skip("node is not installed: the JavaScript is not compared with Python here")
-
-    def run(script, data):
-        file = tmp_path_factory.mktemp("eight") / "test.mjs"
-        source = base.bundle(*base.SHARED, *FigureEightView.scripts)
-        file.write_text(f"{source}\nconst input = {json.dumps(data)};\nlet output;\n{script}\n"
-                        "console.log(JSON.stringify(output));", encoding="utf-8")
-        done = subprocess.run([node, file], capture_output=True, text=True, check=False)
-        assert done.returncode == 0, done.stderr
-        return json.loads(done.stdout)
-    return run
+@pytest.fixture
+def javascript(run_javascript):
+    """``javascript(script, data)``: the script, run after the explorer's own."""
+    return lambda script, data: run_javascript(script, data, *base.SHARED,
+                                               *FigureEightView.scripts)
 
 
 @pytest.fixture(scope="module")

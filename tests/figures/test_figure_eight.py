@@ -1,7 +1,6 @@
 """The pictures of the figure eight show the orbit, its triangle, the zeros and the distances."""
 
 import xml.etree.ElementTree as ET
-from pathlib import Path
 
 import draw_eight
 import numpy as np
@@ -15,7 +14,6 @@ from ftseries.figures import style
 from ftseries.references import newton
 
 PAPER_LAM = 2.07552  # (E7)
-ASSET = Path(__file__).parents[2] / "book" / "assets" / "eight.svg"
 
 
 @pytest.fixture(scope="module")
@@ -128,10 +126,12 @@ def test_emblem_puts_each_body_on_the_eight_at_the_end_of_its_trail(ax):
     assert not ax.axison
 
 
-def test_picture_of_the_readme_is_the_one_that_the_tool_draws(tmp_path):
-    draw_eight.draw(tmp_path / "eight.svg")
-    fresh, stored = (numbers(path) for path in (tmp_path / "eight.svg", ASSET))
-    # Six decimals are written; a point of a picture 460 wide needs fewer on other machines.
+@pytest.mark.parametrize("draw, stored", [
+    (draw_eight.draw, "assets/eight.svg"), (draw_eight.draw_icon, "static/icon.svg")])
+def test_stored_pictures_are_those_that_the_tool_draws(tmp_path, draw, stored):
+    draw(tmp_path / "fresh.svg")
+    fresh, stored = numbers(tmp_path / "fresh.svg"), numbers(draw_eight.BOOK / stored)
+    # Six decimals are written; a point of a picture needs fewer on other machines.
     assert fresh.shape == stored.shape and abs(fresh - stored).max() < 1e-3
 
 
