@@ -21,7 +21,7 @@ import operator
 import os
 
 from flint import ctx, fmpq
-from tqdm.auto import tqdm
+from tqdm import tqdm
 
 from .errors import ContradictionError, InputError, SolveError, UndeterminedError
 from .grid import FloatRing

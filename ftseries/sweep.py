@@ -2,7 +2,7 @@
 
 from concurrent.futures import as_completed
 
-from tqdm.auto import tqdm
+from tqdm import tqdm
 
 from .errors import FTSeriesError, InputError
 from .solver import solve
