@@ -6,7 +6,10 @@ JOBS   ?= 2
 # The scripts of the pages come by npm, and are tested in node: from PyPI where there is none.
 EXTRAS := book,test,browser$(shell command -v npm >/dev/null || echo ,web)
 
-BIN    := $(VENV)/bin
+# Empty, the newest versions are installed instead of the locked ones.
+LOCKED ?= -c requirements.lock
+
+BIN    := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 READY  := $(VENV)/.ready
 BOOK   := $(BIN)/jupyter-book build -W -n --keep-going .
 PYTEST := $(BIN)/python -m pytest
@@ -19,13 +22,31 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .NOTPARALLEL:
 .PHONY: help book test style unit notebooks-tested strict-book browser-tested notebooks lock clean
+.PHONY: coverage mutants oldest bench bench-book
+.PHONY: slides student pdf figures site debian-latex linkcheck lint-workflows newest dist
 
 help:
 	@echo "make book       build the book; prints where to open it"
 	@echo "make test       run everything: style, tests, doctests, notebooks, strict book, browser"
 	@echo "make browser-tested  the last of these alone (needs Chromium and the built book)"
+	@echo
+	@echo "make slides     each chapter as slides; prints where to open them"
+	@echo "make student    the book without solutions, in _build/student"
+	@echo "make pdf        the book on paper (needs LaTeX)"
+	@echo "make figures    every figure as SVG and PNG"
+	@echo "make site       all that is published: pages, slides, PDF, figures"
+	@echo
 	@echo "make notebooks  execute all notebooks and store their outputs in normal form"
+	@echo "make coverage   the lines of the core that no test runs: none"
+	@echo "make mutants    change the core in many places; the tests should notice"
+	@echo "make oldest     the tests with the oldest versions that pyproject.toml allows"
+	@echo "make bench      measure this package and its peers, and renew the chapter on it"
+	@echo "make bench-book measure the builds and the tests of the book"
 	@echo "make lock       renew requirements.lock with the newest versions that fit"
+	@echo "make newest     make test with the newest versions of everything"
+	@echo "make linkcheck  ask every link of the book whether it still leads somewhere"
+	@echo "make lint-workflows  check the workflows of GitHub (needs npm)"
+	@echo "make dist       the package as it goes to PyPI"
 	@echo "make clean      delete what the other targets made"
 	@echo
 	@echo "PYTHON=python3.12 chooses the interpreter, JOBS=4 the number of test processes."
@@ -37,7 +58,7 @@ $(READY): requirements.lock pyproject.toml
 	{ echo "Python 3.11 or later is needed: try make PYTHON=python3.12"; exit 1; }
 	@echo "==> installing the package and its tools into $(VENV)"
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install -c requirements.lock -e ".[$(EXTRAS)]"
+	$(BIN)/python -m pip install $(LOCKED) -e ".[$(EXTRAS)]"
 	@touch $@
 
 # --- the book ---------------------------------------------------------------------------------
@@ -51,6 +72,43 @@ book: $(READY)
 	@echo "    file://$(CURDIR)/_build/html/index.html"
 	@echo "or serve it:"
 	@echo "    $(BIN)/python -m http.server --directory _build/html"
+
+# The decks are cut from the pages, in the same build.
+slides: book
+	@echo
+	@echo "The slides (S speaker's view, F full screen, O overview, D light or dark, ? more keys):"
+	@for deck in _build/html/book/*-slides.html; do echo "    file://$(CURDIR)/$$deck"; done
+
+# A book of its own, executed without the solutions: it must not need them.
+student: $(READY)
+	@echo "==> the book without solutions"
+	$(BIN)/python tools/student_book.py
+	cd _build/student && FTSERIES_REPOSITORY= $(abspath $(BIN))/jupyter-book build -W -n --keep-going .
+	@echo "Notebooks for the class: _build/student/book, pages: _build/student/_build/html"
+
+pdf: $(READY)
+	@command -v latexmk xelatex >/dev/null || \
+	{ echo "make pdf needs LaTeX; on Debian: apt install $(LATEX)"; exit 1; }
+	@echo "==> the book on paper"
+	@$(BOOK) --builder latex || { rm -rf _build/.doctrees; exit 1; }
+	cd _build/latex && latexmk -xelatex -interaction=nonstopmode -halt-on-error -quiet \
+	fourier-taylor-series.tex
+	@echo "The book is in _build/latex/fourier-taylor-series.pdf"
+
+LATEX := latexmk texlive-latex-recommended texlive-latex-extra texlive-fonts-recommended \
+	texlive-xetex fonts-freefont-otf fonts-dejavu-core
+
+debian-latex:
+	sudo apt-get update && sudo apt-get install -y --no-install-recommends $(LATEX)
+
+figures: $(READY)
+	@echo "==> every figure as SVG and PNG"
+	$(BIN)/python tools/draw_figures.py
+
+site: pdf figures book
+	rm -rf _build/html/download && mkdir _build/html/download
+	cp _build/latex/fourier-taylor-series.pdf _build/html/download
+	$(BIN)/python -m zipfile -c _build/html/download/figures.zip _build/figures
 
 # --- the tests --------------------------------------------------------------------------------
 
@@ -83,6 +141,47 @@ browser-tested: $(READY)
 notebooks: $(READY)
 	$(BIN)/python tools/normalise_notebooks.py
 
+linkcheck: $(READY)
+	$(BIN)/jupyter-book build --builder linkcheck .
+
+lint-workflows: $(READY)
+	$(BIN)/python tools/lint_workflows.py
+
+newest:
+	$(MAKE) test VENV=_build/newest LOCKED=
+
+# --- how well tested, how fast ----------------------------------------------------------------
+
+CORE := $(wildcard ftseries/*.py)
+
+coverage: $(READY)
+	$(PYTEST) -n $(JOBS) --dist loadfile --cov --cov-report= --doctest-modules \
+	tests/test_*.py tests/problems tests/analysis $(CORE)
+	$(BIN)/python -m coverage report --include="ftseries/*.py" --omit="ftseries/*/*" \
+	--fail-under=100
+
+mutants: $(READY)
+	$(BIN)/python -m pip install $(LOCKED) -e ".[mutants]"
+	$(BIN)/python tools/mutants.py
+
+oldest:
+	$(PYTHON) -m venv _build/oldest
+	_build/oldest/bin/python -m pip install --quiet uv
+	_build/oldest/bin/uv pip compile pyproject.toml --quiet --resolution lowest-direct \
+	--no-emit-index-url --output-file _build/oldest/requirements.txt
+	_build/oldest/bin/uv pip install --quiet --python _build/oldest/bin/python \
+	--constraint _build/oldest/requirements.txt -e ".[test]"
+	_build/oldest/bin/python -m pytest -n $(JOBS) --dist loadfile \
+	tests/test_*.py tests/problems tests/analysis
+
+bench: $(READY)
+	$(BIN)/python -m pip install $(LOCKED) -e ".[bench]"
+	$(PYTEST) -c benchmarks/pytest.ini benchmarks --benchmark-json=benchmarks/results.json
+	$(BIN)/python tools/normalise_notebooks.py book/how_fast.ipynb
+
+bench-book: $(READY)
+	$(BIN)/python benchmarks/book.py
+
 # --- housekeeping -----------------------------------------------------------------------------
 
 lock:
@@ -93,6 +192,14 @@ lock:
 	--no-annotate --no-header --no-emit-index-url; } > _build/lock/requirements.lock
 	mv _build/lock/requirements.lock requirements.lock
 
+# TAG, if given, must be that of the version.
+dist: $(READY)
+	@version=v$$($(BIN)/python -c 'import importlib.metadata as m; print(m.version("ftseries"))'); \
+	test "$${TAG:-$$version}" = "$$version" || { echo "$$TAG is not $$version"; exit 1; }
+	rm -rf dist
+	$(BIN)/python -m pip install $(LOCKED) build
+	$(BIN)/python -m build
+
 clean:
-	rm -rf $(VENV) _build build *.egg-info .pytest_cache .ruff_cache .import_linter_cache .hypothesis
+	rm -rf $(VENV) _build build dist *.egg-info .pytest_cache .ruff_cache .import_linter_cache .hypothesis
 	find ftseries book tests tools -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -8,6 +8,7 @@ The method is that of H.-J. Schmidt and T. Bröcker, "Fourier-Taylor series for 
 solution of the three body problem"; equation numbers in the docstrings are those of the paper.
 """
 
+from . import figure_eight
 from .errors import (
                      ContradictionError,
                      ConvergenceWarning,
@@ -19,7 +20,7 @@ from .errors import (
                      UndeterminedError,
 )
 from .problem import Field, Problem, Scalar
-from .problems import CubicOscillator, FigureEight, GeneralizedMathieu, figure_eight
+from .problems import CubicOscillator, FigureEight, GeneralizedMathieu
 from .series import cos, exp, sin
 from .solution import Solution, load
 from .solver import solve

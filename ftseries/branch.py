@@ -10,10 +10,18 @@ for c, λ and the direction v, here by Newton's method on the collocation equati
 Nothing here uses Taylor coefficients but the first guess, so it tests their singularities.
 """
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
 
+from .aliases import ComplexArray, Modes
 from .errors import SolveError
 from .refine import Collocation
+
+if TYPE_CHECKING:
+    from .problem import Problem
 
 __all__ = ["branch_point"]
 
@@ -26,7 +34,8 @@ _SHARP = 1e-9
 _LOST = 1e-2
 
 
-def branch_point(problem, guess, slope, lam, parameters=None):
+def branch_point(problem: Problem, guess: dict[str, Modes], slope: dict[str, Modes], lam: complex,
+                 parameters: dict[str, float] | None = None) -> tuple[complex, float]:
     """The complex λ near ``lam`` where two solutions meet, and its uncertainty.
 
     Parameters
@@ -48,11 +57,12 @@ def branch_point(problem, guess, slope, lam, parameters=None):
     SolveError
         No such place close by: the nearest singularity is of another kind.
     """
-    start, before, top = lam, None, _FIRST_MODES
+    start, top = lam, _FIRST_MODES
+    before: complex | None = None
     while True:
         system = Collocation(problem, top, parameters)
-        x, v = (np.array([part[name].get(tuple(mode), 0) for name, *mode in system.columns],
-                         dtype=complex) for part in (guess, slope))
+        x, v = (np.array([part[name].get((sine, n), 0) for name, sine, n in system.columns],
+                         dtype=np.complex128) for part in (guess, slope))
         last = top >= _MOST_MODES
         x, v, lam, change = _newton(system, x, v, lam, _STEPS if before is not None
                                     else _ROUGH_STEPS)
@@ -63,14 +73,15 @@ def branch_point(problem, guess, slope, lam, parameters=None):
         if last or change > _LOST:
             break
         before, top = lam, min(_MOST_MODES, top + top // 2)
-        guess, slope = ({name: {tuple(mode): value for (own, *mode), value
+        guess, slope = ({name: {(sine, n): value for (own, sine, n), value
                                 in zip(system.columns, part) if own == name}
                          for name in problem.unknowns} for part in (x, v))
     raise SolveError(f"no two solutions meet near λ = {start:.3g}: the nearest singularity is of "
                      "another kind, or the series is too poor a first guess")
 
 
-def _newton(system, x, v, lam, steps):
+def _newton(system: Collocation, x: ComplexArray, v: ComplexArray, lam: complex,
+            steps: int) -> tuple[ComplexArray, ComplexArray, complex, float]:
     """(x, v, λ, last change) after Newton's method on the extended equations."""
     size, normal = len(x), v.conj() / np.linalg.norm(v)
     v = v / (normal @ v)
@@ -93,11 +104,12 @@ def _newton(system, x, v, lam, steps):
     return x, v, complex(lam), float(abs(delta[-1]))
 
 
-def _jacobian(system, x, lam):
+def _jacobian(system: Collocation, x: ComplexArray, lam: complex) -> ComplexArray:
     """The derivatives of F in every coefficient and in λ, as columns."""
     point, directions = np.append(x, lam), 1j ** np.arange(4)
-    identity, total = np.eye(len(point)), 0
+    columns = []
     for direction in directions:
-        moved = point + _STEP * direction * identity
-        total = total + system(moved[:, :-1], moved[:, -1]) / direction
+        moved = point + _STEP * direction * np.eye(len(point))
+        columns.append(system(moved[:, :-1], moved[:, -1]) / direction)
+    total: ComplexArray = np.sum(columns, axis=0)
     return total.T / (4 * _STEP)

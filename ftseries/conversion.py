@@ -1,15 +1,21 @@
 """Numbers of the rings as SymPy numbers, floats, mpmath numbers and balls."""
 
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
 import mpmath
 import sympy as sp
 from flint import arb, fmpq
 
+from .aliases import Expr, Number
 from .errors import InputError
 
 __all__ = ["to_sympy", "to_float", "to_mpf", "to_ball", "at"]
 
 
-def to_sympy(number, names):
+def to_sympy(number: Number, names: Sequence[str]) -> Expr:
     """A rational, or a polynomial in the parameters ``names``, as a SymPy expression."""
     if isinstance(number, fmpq):
         return sp.Rational(int(number.p), int(number.q))
@@ -18,12 +24,12 @@ def to_sympy(number, names):
                     for (_, *exponents), c in number.to_dict().items()))
 
 
-def to_float(number):
+def to_float(number: Number) -> float:
     """The nearest float."""
     return int(number.p) / int(number.q) if isinstance(number, fmpq) else float(number)
 
 
-def to_mpf(number):
+def to_mpf(number: Number) -> Any:
     """An mpmath number at the working precision; the midpoint of a ball."""
     if isinstance(number, fmpq):
         return mpmath.mpf(int(number.p)) / int(number.q)
@@ -33,7 +39,7 @@ def to_mpf(number):
     return mpmath.mpf(number)
 
 
-def to_ball(unit):
+def to_ball(unit: Expr) -> arb:
     """A SymPy number as a ball that encloses it, at the precision in force."""
     if unit.is_Rational:
         return arb(int(unit.p)) / int(unit.q)
@@ -47,6 +53,6 @@ def to_ball(unit):
     raise InputError(f"the unit {unit} is not a product of powers of rationals")
 
 
-def at(number, point):
+def at(number: Number, point: Sequence[fmpq]) -> Number:
     """The value of a coefficient where the parameters have the values ``point``."""
     return number(fmpq(0), *point) if hasattr(number, "context") else number

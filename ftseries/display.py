@@ -1,16 +1,24 @@
 r"""LaTeX of a solution: sums ordered by Fourier order, each coefficient a polynomial in λ."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import sympy as sp
 
+from .aliases import Expr, Mode
 from .errors import InputError
 from .problem import Scalar
+
+if TYPE_CHECKING:
+    from .solution import Solution
 
 __all__ = ["to_latex", "summary"]
 
 _GREEK = {"omega": r"\omega", "phi": r"\varphi", "psi": r"\psi", "lambda": r"\lambda", "mu": r"\mu"}
 
 
-def to_latex(solution, name, order):
+def to_latex(solution: Solution, name: str, order: int) -> str:
     r"""One unknown, cut at Taylor order ``order``, as a LaTeX equation without dollars.
 
     >>> import ftseries as fts
@@ -21,7 +29,7 @@ def to_latex(solution, name, order):
         raise InputError(f"order={order!r}: the solution is known for orders 0 to {solution.order}")
     unknown = solution._unknown(name)
     scalar = isinstance(unknown, Scalar)
-    by_mode = {}
+    by_mode: dict[Mode, list[tuple[int, Expr]]] = {}
     for m, row in enumerate(solution.coefficients[name][:order + 1]):
         for mode, number in row.items():
             by_mode.setdefault(mode, []).append((m, solution._in_unit(name, m, number)))
@@ -43,7 +51,7 @@ def to_latex(solution, name, order):
     return rf"{left} = {_join(terms) or '0'} + \mathcal{{O}}(\lambda^{{{order + 1}}})"
 
 
-def summary(solution):
+def summary(solution: Solution) -> str:
     """All unknowns to low order, as displayed LaTeX."""
     order = min(solution.order, 4)
     lines = r" \\ ".join(to_latex(solution, name, order).replace(" = ", " &= ", 1)
@@ -51,11 +59,11 @@ def summary(solution):
     return rf"$\displaystyle \begin{{aligned}} {lines} \end{{aligned}}$"
 
 
-def _power(m):
+def _power(m: int) -> str:
     return "" if m == 0 else r"\lambda" if m == 1 else rf"\lambda^{{{m}}}"
 
 
-def _term(coefficient, factor):
+def _term(coefficient: Expr, factor: str) -> str:
     """'+ c factor' with its sign in front."""
     c = sp.sympify(coefficient if not hasattr(coefficient, "mid") else float(coefficient))
     negative = c.could_extract_minus_sign()
@@ -66,7 +74,7 @@ def _term(coefficient, factor):
     return ("-" if negative else "+") + (body if body == factor else f"{body} {factor}".strip())
 
 
-def _join(terms):
+def _join(terms: list[str]) -> str:
     text = " ".join(f"{t[0]} {t[1:]}" for t in terms)
     if text.startswith("+ "):
         return text[2:]

@@ -5,19 +5,28 @@ Formula.  u(t; λ) = Re Σ_n (A_n(λ) - i B_n(λ)) z^n with z = e^{iωt}, A_n(λ
 ``{(sine, n): [coefficient of λ^0, λ^1, …]}`` in the paper's units.
 """
 
+from __future__ import annotations
+
 import warnings
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TypeAlias
 
 import mpmath
 import numpy as np
 
+from .aliases import Array, ArrayLike, Mode, Real
 from .errors import ConvergenceWarning, InputError
 from .trig import finite
 
 __all__ = ["amplitudes", "broadcastable", "finite", "fourier_sum", "radius_estimate",
            "warn_outside", "mp_evaluate"]
 
+#: the coefficients of λ^0, λ^1, … by mode: floats, and what gives them in any precision
+FloatTable: TypeAlias = Mapping[Mode, Sequence[float] | Array]
+MpTable: TypeAlias = dict[Mode, list[Callable[[], Any]]]
 
-def amplitudes(table, lam):
+
+def amplitudes(table: FloatTable, lam: ArrayLike) -> dict[Mode, Array]:
     """``{(sine, n): A_n(λ)}`` for an array ``lam``, each of its shape."""
     modes = list(table)
     if not modes:
@@ -37,7 +46,7 @@ def amplitudes(table, lam):
     return dict(zip(modes, total))
 
 
-def fourier_sum(amplitude, tau):
+def fourier_sum(amplitude: Mapping[Mode, Real], tau: ArrayLike) -> Array:
     """Σ A_n cos nτ + B_n sin nτ, broadcasting the amplitudes with τ."""
     tau = np.asarray(tau, dtype=float)
     shape = np.broadcast_shapes(tau.shape, *(np.shape(a) for a in amplitude.values()))
@@ -52,7 +61,7 @@ def fourier_sum(amplitude, tau):
     return (total * np.exp(1j * orders[0] * tau)).real
 
 
-def radius_estimate(table, algebraic=True):
+def radius_estimate(table: FloatTable, algebraic: bool = True) -> float | None:
     """The radius of convergence that the last two thirds of the coefficients suggest.
 
     Fits ``log c_m = α - m log R - p log m`` to c_m = Σ_n |A_{n,m}|, the form that an algebraic
@@ -71,21 +80,23 @@ def radius_estimate(table, algebraic=True):
     return float(np.exp(-np.linalg.lstsq(design, np.log(sums[m]), rcond=None)[0][1]))
 
 
-def warn_outside(table, name, lam):
+def warn_outside(table: FloatTable, name: str, lam: ArrayLike) -> None:
     """Warn when |λ| is clearly outside the estimated radius of convergence."""
     largest = float(np.max(np.abs(lam), initial=0.0))
     fits = [radius_estimate(table, algebraic) for algebraic in (True, False)]
-    if None not in fits and largest > 1.03 * max(fits):
-        radius = (fits[0] * fits[1]) ** 0.5
+    found = [radius for radius in fits if radius is not None]
+    if len(found) == 2 and largest > 1.03 * max(found):
+        radius = (found[0] * found[1]) ** 0.5
         warnings.warn(f"λ = {largest:g} lies outside the radius of convergence of {name!r}, which "
                       f"its coefficients put near {radius:.3g}; the truncated sum is not an "
                       "approximation there", ConvergenceWarning, stacklevel=4)
 
 
-def mp_evaluate(table, frequency, t, lam, dps):
+def mp_evaluate(table: MpTable, frequency: list[Callable[[], Any]] | None, t: Any, lam: Any,
+                dps: int) -> Any:
     """The same sum with mpmath numbers; the tables hold functions of the working precision."""
     with mpmath.workdps(dps + 10):
-        def value(time, parameter):
+        def value(time: Any, parameter: Any) -> Any:
             parameter = _mpf(parameter)
             rows = {mode: mpmath.polyval([c() for c in row[::-1]], parameter)
                     for mode, row in table.items()}
@@ -99,12 +110,12 @@ def mp_evaluate(table, frequency, t, lam, dps):
         return np.frompyfunc(lambda x: +x, 1, 1)(result)
 
 
-def _mpf(x):
+def _mpf(x: Any) -> Any:
     """A number in the working precision; SymPy may hold it exactly."""
     return mpmath.mpmathify(x.evalf(mpmath.mp.dps) if hasattr(x, "evalf") else x)
 
 
-def broadcastable(**values):
+def broadcastable(**values: Any) -> dict[str, Array]:
     """The values as finite float arrays whose shapes fit together."""
     arrays = {name: finite(name, value) for name, value in values.items()}
     try:

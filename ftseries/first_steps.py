@@ -9,21 +9,36 @@ coefficients are to be polynomials in it.  Of two that become each other by τ t
 or by τ to τ + π, the one with positive frequency or leading amplitude is kept.
 """
 
+from __future__ import annotations
+
+from collections.abc import Container
+from functools import partial
+from typing import TYPE_CHECKING, Any, TypeAlias
+
 import sympy as sp
 
+from .aliases import Expr, Mode
 from .conversion import to_sympy
 from .errors import ContradictionError, InputError, NonAnalyticError, UndeterminedError
+from .expansion import Expansion
 from .laurent import PolynomialRing, SurdRing
 from .problem import Scalar
-from .series import Expansion
+
+if TYPE_CHECKING:
+    from .problem import Field
+    from .symbolic import Equations
 
 __all__ = ["first_steps"]
+
+#: the symbol of each first coefficient, (unknown, mode, order); the values found for some
+Symbols: TypeAlias = dict[tuple[str, Mode, int], Expr]
+Known: TypeAlias = dict[Expr, Expr]
 
 #: orders 0 … 3 are compared: an energy integral begins at 2, an amplitude may be settled at 3
 _ORDERS = 4
 
 
-def first_steps(problem, choice=None):
+def first_steps(problem: Equations, choice: int | None = None) -> dict[str, Expr]:
     """The seed of a problem, ``{name: SymPy expression in λ and the modes}``.
 
     Parameters
@@ -48,7 +63,7 @@ def first_steps(problem, choice=None):
                          f"can be λ; give a seed for {', '.join(problem.unknowns)}")
     symbols = _symbols(problem)
     low = {s for (name, _, m), s in symbols.items() if _is_low(problem, name, m)}
-    branches = [{}]
+    branches: list[Known] = [{}]
     try:
         for order in range(_ORDERS):
             branches = [found for known in branches
@@ -87,7 +102,7 @@ def first_steps(problem, choice=None):
     return seeds[choice or 0]
 
 
-def _symbols(problem):
+def _symbols(problem: Equations) -> Symbols:
     """``{(name, mode, m): symbol}`` for the orders compared."""
     return {(name, mode, m): sp.Symbol(f"{name}_{'sc'[1 - mode[0]]}{mode[1]}_{m}"
                                        if not isinstance(unknown, Scalar) else f"{name}_{m}")
@@ -96,17 +111,18 @@ def _symbols(problem):
             if problem.in_powers(name, m)}
 
 
-def _label(name, mode, m, unknown):
+def _label(name: str, mode: Mode, m: int, unknown: Field | Scalar) -> str:
     wave = f" {'sin' if mode[0] else 'cos'} {mode[1]}τ" if mode[1] else " the mean"
     return f"the coefficient {name}_{m}" if isinstance(unknown, Scalar) else \
         f"the coefficient of{wave} in {name} at order {m} of λ"
 
 
-def _is_low(problem, name, m):
+def _is_low(problem: Equations, name: str, m: int) -> bool:
     return m == 0 or (m == 1 and not isinstance(problem.unknowns[name], Scalar))
 
 
-def _extend(problem, symbols, low, known, order):
+def _extend(problem: Equations, symbols: Symbols, low: set[Expr], known: Known,
+            order: int) -> list[Known]:
     """All ways to satisfy the equations of one order, as extensions of ``known``."""
     parameters = {sp.Symbol(name) for name in problem.parameters}
     equations = [e for e in _residual(problem, symbols, known, order)
@@ -121,7 +137,7 @@ def _extend(problem, symbols, low, known, order):
                        for v in solution.values())]
 
 
-def _residual(problem, symbols, known, order):
+def _residual(problem: Equations, symbols: Symbols, known: Known, order: int) -> list[Expr]:
     """The residual's coefficients of one order as SymPy polynomials in what is not yet known."""
     open_symbols = [s for s in symbols.values() if s not in known]
     irrational = {s: v for s, v in known.items() if not v.is_Rational}
@@ -132,7 +148,7 @@ def _residual(problem, symbols, known, order):
     for name, unknown in problem.unknowns.items():
         unknowns[name] = expansion.unknown()
         for m in range(order + 1):
-            row = {}
+            row: dict[Mode, Any] = {}
             for (other, mode, k), s in symbols.items():
                 if other == name and k == m:
                     value = known.get(s, s)
@@ -148,40 +164,40 @@ def _residual(problem, symbols, known, order):
             for c in residual[order].modes().values()]
 
 
-def _fixed(problem, name, unknown, m):
+def _fixed(problem: Equations, name: str, unknown: Field | Scalar, m: int) -> dict[Mode, int]:
     """λ is the amplitude of a fixed Fourier order; a fixed mode (sine, n) is a phase and zero."""
     orders = unknown.fixed if not isinstance(unknown, Scalar) and m == 1 else ()
     return {unknown.mode(n): 1 for n in orders if not isinstance(n, tuple)}
 
 
-def _distinct(problem, symbols, solutions):
+def _distinct(problem: Equations, symbols: Symbols, solutions: list[Known]) -> list[Known]:
     """Without the motionless ones, and without those whose mirror image is kept."""
     given = any(_fixed(problem, name, u, 1) for name, u in problem.unknowns.items())
     moving = [known for known in solutions if given or any(
         known.get(s, s) != 0 for (name, mode, m), s in symbols.items()
         if mode[1] and _is_low(problem, name, m))]
-    frequency = symbols.get((problem.frequency, (0, 0), 0))
+    frequency = symbols.get((problem.frequency or "", (0, 0), 0))
     waves = {s: mode for (name, mode, m), s in symbols.items() if mode[1]}
-    mirrors = (lambda s: -1 if waves.get(s, (0, 0))[1] % 2 else 1,             # τ to τ + π
-               lambda s: -1 if s == frequency or waves.get(s, (0, 0))[0] else 1)        # τ to -τ
+    mirrors = ({s for s, (_, n) in waves.items() if n % 2},                    # τ to τ + π
+               {s for s, (sine, _) in waves.items() if sine} | {frequency})    # τ to -τ
     broken = (any(n % 2 for _, n in problem.forcing), any(sine for sine, _ in problem.forcing))
     for key, mirror, forced in zip((waves, {frequency}), mirrors, broken, strict=True):
         if forced:                                      # the equations do not allow this mirror
             continue
         kept = []
-        for known in sorted(moving, key=lambda known, key=key: _is_negative(known, key)):
-            if {s: sp.simplify(mirror(s) * v) for s, v in known.items()} not in kept:
+        for known in sorted(moving, key=partial(_is_negative, key=key)):
+            if {s: sp.simplify(-v if s in mirror else v) for s, v in known.items()} not in kept:
                 kept.append(known)
         moving = kept
     return moving
 
 
-def _is_negative(known, key):
+def _is_negative(known: Known, key: Container[Expr]) -> bool:
     """Is the first coefficient among ``key`` negative that is not zero?"""
     return next((v.is_negative is True for s, v in known.items() if s in key and v != 0), False)
 
 
-def _seed(problem, symbols, known):
+def _seed(problem: Equations, symbols: Symbols, known: Known) -> dict[str, Expr]:
     lam, t = sp.Symbol(problem.language.lam), sp.Symbol(problem.variable)
     omega = sp.Symbol(problem.frequency) if problem.frequency else 1
     seed = {}

@@ -12,8 +12,13 @@ product of values, exact as long as its degree stays within D; a Cauchy sum over
 one sum over rows of two arrays.
 """
 
+from __future__ import annotations
+
+from collections.abc import Iterable
+
 import numpy as np
 
+from .aliases import Array, Exact, Modes, Multiplier, Number, Parts, Terms
 from .errors import InputError
 from .trig import Ring, Trig, rational
 
@@ -26,10 +31,10 @@ class FloatRing(Ring):
     name = "float"
     exact = False
 
-    def __init__(self, degree, order=0):
+    def __init__(self, degree: int, order: int = 0) -> None:
         self.points = m = degree // 2 + 1
         self.rows = order + 1
-        self.matrices = {}
+        self.matrices: dict[tuple[int, Multiplier], list[tuple[int, Array]]] = {}
         self.tau = tau = (np.arange(m) + 0.5) * np.pi / (2 * m)
         #: the modes of each kind; row i of ``values[kind]`` is cos or sin of n[kind][i] τ
         self.n = [np.arange(0, 2 * m, 2), np.arange(1, 2 * m, 2),
@@ -40,53 +45,55 @@ class FloatRing(Ring):
         self.analysis[0][0] /= 2
         self.analysis[2][-1] /= 2
 
-    def number(self, x):
+    def number(self, x: Exact) -> float:
         if isinstance(x, float):
             return x
         x = rational(x)
         return int(x.p) / int(x.q)
 
-    def part(self, kind, modes):
+    def part(self, kind: int, modes: dict[int, Number]) -> Array:
         coefficients = np.zeros(self.points)
         first = self.n[kind][0]
         for n, value in modes.items():
             if n > self.n[kind][-1]:
                 raise InputError(f"Fourier order {n} does not fit on {self.points} grid points")
             coefficients[(n - first) // 2] = value
-        return coefficients @ self.values[kind]
+        row: Array = coefficients @ self.values[kind]
+        return row
 
-    def modes(self, parts):
+    def modes(self, parts: Parts) -> Modes:
         return {(kind >> 1, n): c for kind, row in parts.items()
                 for n, c in zip(self.n[kind].tolist(), (self.analysis[kind] @ row).tolist())}
 
-    def add(self, a, b):
+    def add(self, a: Array, b: Array) -> Array:
         return a + b
 
-    def scale(self, part, number):
+    def scale(self, part: Array, number: float) -> Array:
         return part * number
 
-    def is_zero(self, number):
+    def is_zero(self, number: float) -> bool:
         return number == 0.0
 
-    def negligible(self, number, scale):
+    def negligible(self, number: float, scale: float) -> bool:
         # Rounding of a Cauchy sum over hundreds of orders stays far below this, a wrong equation
         # far above.
         return abs(number) <= 1e-9 * scale
 
-    def root(self, value, alpha):
+    def root(self, value: float, alpha: Exact) -> float:
         alpha = rational(alpha)
         if value < 0 and alpha.q != 1:
             raise InputError(f"({value})^({alpha}), a root of a negative number, is not real")
-        return value ** (int(alpha.p) / int(alpha.q))
+        return float(value ** (int(alpha.p) / int(alpha.q)))
 
-    def size(self, modes):
+    def size(self, modes: Modes) -> float:
         return max(map(abs, modes.values()), default=0.0)
 
-    def turn(self, fraction):
+    def turn(self, fraction: Exact) -> tuple[Number, Number]:
         angle = 2 * np.pi * float(fraction)
         return np.cos(angle), np.sin(angle)
 
-    def multiply_modes(self, kind, part, multiplier):
+    def multiply_modes(self, kind: int, part: Array,
+                       multiplier: Multiplier) -> list[tuple[int, Array]]:
         key = kind, multiplier
         if key not in self.matrices:
             pairs = np.array([multiplier(int(n), self) for n in self.n[kind]], dtype=float).T
@@ -98,10 +105,11 @@ class FloatRing(Ring):
             self.matrices[key] = images
         return [(new, matrix @ part) for new, matrix in self.matrices[key]]
 
-    def table(self):
+    def table(self) -> GridTable:
         return GridTable(self)
 
-    def convolve(self, a, b, k, lo, hi, alpha=1, beta=0):
+    def convolve(self, a: Terms, b: Terms, k: int, lo: int, hi: int, alpha: int = 1,
+                 beta: int = 0) -> Trig:
         if isinstance(a, list):                       # a single product
             return Trig(self, _merge((ku ^ kv, p * q * (alpha + beta * lo))
                                      for ku, p in a[0].parts.items()
@@ -131,8 +139,8 @@ class FloatRing(Ring):
         return Trig(self, _merge(terms))
 
 
-def _merge(terms):
-    parts = {}
+def _merge(terms: Iterable[tuple[int, Array]]) -> Parts:
+    parts: Parts = {}
     for kind, row in terms:
         parts[kind] = parts[kind] + row if kind in parts else row
     return parts
@@ -141,13 +149,14 @@ def _merge(terms):
 class GridTable:
     """Taylor coefficients as rows of one array per kind, with the parities of the rows in use."""
 
-    def __init__(self, ring):
-        self.ring, self.length, self.parts = ring, 0, {}
+    def __init__(self, ring: FloatRing) -> None:
+        self.ring, self.length = ring, 0
+        self.parts: dict[int, tuple[Array, set[int]]] = {}
 
-    def __len__(self):
+    def __len__(self) -> int:
         return self.length
 
-    def append(self, trig):
+    def append(self, trig: Trig) -> None:
         k = self.length
         for kind, row in trig.parts.items():
             if kind not in self.parts:
@@ -157,13 +166,13 @@ class GridTable:
             parities.add(k % 2)
         self.length += 1
 
-    def __getitem__(self, k):
+    def __getitem__(self, k: int) -> Trig:
         if not 0 <= k < self.length:
             raise IndexError(k)
         return Trig(self.ring, {kind: rows[k] for kind, (rows, parities) in self.parts.items()
                                 if k % 2 in parities})
 
-    def cut(self, k):
+    def cut(self, k: int) -> None:
         for rows, _ in self.parts.values():
             rows[k:self.length] = 0
         self.length = min(k, self.length)

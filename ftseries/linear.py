@@ -5,19 +5,29 @@ Formula.  Let R(U; λ) be the residual and U the solution.  Its derivative along
 .. math::  DR_e = λ^{s_e} (L_0 + λ L_1 + λ^2 L_2 + …)_e  \quad\text{for equation } e,
 
 where the L_j do not depend on the Taylor order that is being solved.  A *column* (name, sine, n)
-is one mode of one unknown, a *row* (equation, sine, n) one mode of one residual.  :func:`tangent`
+is one mode of one unknown, a *row* (equation, sine, n) one mode of one residual.  :class:`Tangent`
 gives DR·T for a series T of modes by running the problem's own equations over dual numbers u + ε v,
 ε² = 0, in exact arithmetic.  :class:`Elimination` solves L₀ x = b and gives the kernel of L₀; what
 cannot be solved is left over, and vanishes only if kernel coordinates of earlier orders are right.
 """
 
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
 from flint import fmpq
 
+from .aliases import Coefficients, Column, Exact, Modes, Multiplier, Number, Terms, Vector
 from .errors import ContradictionError, InputError
-from .series import Expansion
+from .expansion import Expansion
 from .trig import Ring, rational
 
-__all__ = ["Elimination", "Family", "LinearPart", "tangent"]
+if TYPE_CHECKING:
+    from .problem import Problem
+    from .trig import Trig
+
+__all__ = ["Elimination", "Family", "LinearPart", "Tangent"]
 
 #: orders of λ within which every equation must begin to depend on some unknown
 REACH = 6
@@ -30,30 +40,30 @@ class Dual:
 
     __slots__ = ("value", "tangent")
 
-    def __init__(self, value, tangent):
+    def __init__(self, value: Trig, tangent: Trig) -> None:
         self.value, self.tangent = value, tangent
 
-    def __add__(self, other):
+    def __add__(self, other: Dual) -> Dual:
         return Dual(self.value + other.value, self.tangent + other.tangent)
 
-    def __mul__(self, other):
+    def __mul__(self, other: Dual) -> Dual:
         return Dual(self.value * other.value,
                     self.value * other.tangent + self.tangent * other.value)
 
-    def scale(self, number):
+    def scale(self, number: Number) -> Dual:
         return Dual(self.value.scale(number), self.tangent.scale(number))
 
-    def multiply_modes(self, multiplier):
+    def multiply_modes(self, multiplier: Multiplier) -> Dual:
         return Dual(self.value.multiply_modes(multiplier), self.tangent.multiply_modes(multiplier))
 
-    def power(self, alpha):
+    def power(self, alpha: fmpq) -> Dual:
         value = self.value.power(alpha)
         return Dual(value, self.value.power(alpha - 1).scale(alpha) * self.tangent)
 
-    def exp(self):
+    def exp(self) -> Dual:
         return Dual(self.value.exp(), self.tangent)
 
-    def sincos(self):
+    def sincos(self) -> tuple[Dual, Dual]:
         zero, one = self.value.sincos()
         return Dual(zero, self.tangent), Dual(one, zero)
 
@@ -61,45 +71,58 @@ class Dual:
 class DualRing(Ring):
     """Dual numbers over an exact ring."""
 
-    def __init__(self, base):
-        self.base, self.number, self.names = base, base.number, base.names
-        self.zero = base.from_modes({})
+    def __init__(self, base: Ring) -> None:
+        self.base, self.names, self.zero = base, base.names, base.from_modes({})
 
-    def parameter(self, name):
+    def number(self, x: Exact) -> Number:
+        return self.base.number(x)
+
+    def parameter(self, name: str) -> Number:
         return self.base.parameter(name)
 
-    def from_modes(self, modes):
+    def from_modes(self, modes: Modes) -> Dual:  # type: ignore[override]   # in place of a Trig
         return Dual(self.base.from_modes(modes), self.zero)
 
-    def convolve(self, a, b, k, lo, hi, alpha=1, beta=0):
-        values = [[x.value for x in side] for side in (a, b)]
-        tangents = [[x.tangent for x in side] for side in (a, b)]
+    def convolve(  # type: ignore[override]
+            self, a: Terms, b: Terms, k: int, lo: int, hi: int, alpha: int = 1,
+            beta: int = 0) -> Dual:
+        value_a, value_b = [x.value for x in a], [x.value for x in b]
+        tangent_a, tangent_b = [x.tangent for x in a], [x.tangent for x in b]
         sum_ = self.base.convolve
-        return Dual(sum_(*values, k, lo, hi, alpha, beta),
-                    sum_(values[0], tangents[1], k, lo, hi, alpha, beta)
-                    + sum_(tangents[0], values[1], k, lo, hi, alpha, beta))
+        return Dual(sum_(value_a, value_b, k, lo, hi, alpha, beta),
+                    sum_(value_a, tangent_b, k, lo, hi, alpha, beta)
+                    + sum_(tangent_a, value_b, k, lo, hi, alpha, beta))
 
 
-def tangent(problem, ring, base, direction, top):
-    """DR·T at the orders 0, …, ``top``, one after the other, each a dict ``{row: number}``.
+class Tangent:
+    """DR·T at a base: the problem's equations over dual numbers, set up once for all T.
 
-    ``base`` maps names to lists of ``{mode: number}``, ``direction`` is the list of the T_j, each a
-    dict ``{column: number}``.
+    ``base`` maps names to lists of ``{mode: number}``.
     """
-    expansion = Expansion(DualRing(ring))
-    unknowns = {}
-    for name in problem.unknowns:
-        unknowns[name] = expansion.unknown()
-        known = base[name]
+
+    def __init__(self, problem: Problem, ring: Ring, base: Coefficients) -> None:
+        self.ring, self.base = ring, base
+        self.expansion = Expansion(DualRing(ring))
+        self.unknowns = {name: self.expansion.unknown() for name in problem.unknowns}
+        residuals = problem.residuals(self.expansion.lam, self.unknowns)
+        self.names, self.residuals = list(residuals), list(residuals.values())
+
+    def along(self, direction: list[Vector], top: int) -> Iterator[Vector]:
+        """DR·T at the orders 0, …, ``top``, one after the other, each a dict ``{row: number}``.
+
+        ``direction`` is the list of the T_j, each a dict ``{column: number}``.
+        """
+        self.expansion.forget(0)
+        for name, unknown in self.unknowns.items():
+            known = self.base[name]
+            for k in range(top + 1):
+                v = {(sine, n): self.ring.number(c) for (other, sine, n), c in
+                     (direction[k] if k < len(direction) else {}).items() if other == name}
+                unknown.set(k, Dual(self.ring.from_modes(known[k] if k < len(known) else {}),
+                                    self.ring.from_modes(v)))
         for k in range(top + 1):
-            v = {(sine, n): c for (other, sine, n), c in
-                 (direction[k] if k < len(direction) else {}).items() if other == name}
-            unknowns[name].set(k, Dual(ring.from_modes(known[k] if k < len(known) else {}),
-                                       ring.from_modes({m: ring.number(c) for m, c in v.items()})))
-    residuals = problem.residuals(expansion.lam, unknowns)
-    for k in range(top + 1):
-        yield {(e, *mode): c for e, r in enumerate(residuals.values())
-               for mode, c in r[k].tangent.modes().items()}
+            yield {(e, *mode): c for e, residual in enumerate(self.residuals)
+                   for mode, c in residual[k].tangent.modes().items()}
 
 
 class Elimination:
@@ -114,12 +137,16 @@ class Elimination:
     ({'x': 4}, {0: -2})
     """
 
-    def __init__(self, columns):
-        rows, where = {}, {col: set(entries) for col, entries in columns.items()}
+    def __init__(self, columns: Mapping[Any, Vector]) -> None:
+        rows: dict[Any, Vector] = {}
+        where = {col: set(entries) for col, entries in columns.items()}
         for col, entries in columns.items():
             for row, value in entries.items():
                 rows.setdefault(row, {})[col] = value
-        self.steps, pivots, free = [], {}, []
+        pivots: dict[Any, Any] = {}
+        free = []
+        #: pivot row, its column, 1/pivot, and (row, factor) of each row that the pivot row changes
+        self.steps: list[tuple[Any, Any, Number, list[tuple[Any, Number]]]] = []
         for col in columns:
             usable = [row for row in where[col] if row not in pivots]
             if not usable:
@@ -146,7 +173,7 @@ class Elimination:
                                        for row, col in pivots.items() if f in rows[row]}
                        for f in free]
 
-    def converted(self, number):
+    def converted(self, number: Callable[[Exact], Number]) -> Elimination:
         """The same elimination with its factors as numbers of another ring."""
         other = object.__new__(Elimination)
         other.kernel = self.kernel
@@ -154,7 +181,7 @@ class Elimination:
                        for pivot, col, inverse, changes in self.steps]
         return other
 
-    def solve(self, b):
+    def solve(self, b: Vector) -> tuple[Vector, Vector]:
         """(x, left): L x = b up to the rows in ``left``, which no column can change."""
         b = dict(b)
         for pivot, _, _, changes in self.steps:
@@ -166,7 +193,7 @@ class Elimination:
         return x, b
 
 
-def _height(row):
+def _height(row: Any) -> tuple[int, ...]:
     return (row[2], -row[0], row[1]) if isinstance(row, tuple) else (row,)
 
 
@@ -177,10 +204,11 @@ class Family:
     at order j.  Both are the same for every Taylor order at which the direction starts.
     """
 
-    def __init__(self, linear, terms):
-        self.linear, self.terms, self.effects = linear, terms, [{}] * len(terms)
+    def __init__(self, linear: LinearPart, terms: list[Vector]) -> None:
+        self.linear, self.terms = linear, terms
+        self.effects: list[Vector] = [{}] * len(terms)
 
-    def effect(self, late):
+    def effect(self, late: int) -> Vector:
         """What a unit coordinate leaves over ``late`` orders after its own."""
         while len(self.effects) <= late:
             j = len(self.effects)
@@ -193,8 +221,9 @@ class Family:
 class LinearPart:
     """L₀ of a problem for all modes up to ``top``, its kernel and the families it opens."""
 
-    def __init__(self, problem, ring, base, top):
-        self.problem, self.ring, self.base = problem, ring, base
+    def __init__(self, problem: Problem, ring: Ring, base: Coefficients, top: int) -> None:
+        self.tangent = Tangent(problem, ring, base)
+        self.names = self.tangent.names
         columns = [(name, *mode) for name, unknown in problem.unknowns.items()
                    for mode in unknown.columns(top)]
         columns.sort(key=lambda c: -c[2])
@@ -203,17 +232,14 @@ class LinearPart:
         self.elimination = Elimination({c: self.rows([{c: fmpq(1)}], 0) for c in columns})
         self.families = [Family(self, [vector]) for vector in self.elimination.kernel]
 
-    def _leading_orders(self, columns):
+    def _leading_orders(self, columns: list[Column]) -> list[int]:
         """s_e for every equation."""
-        blank = Expansion(DualRing(self.ring))
-        self.names = list(self.problem.residuals(
-            blank.lam, {name: blank.unknown() for name in self.problem.unknowns}))
-        probes = [tangent(self.problem, self.ring, self.base, [{c: fmpq(1)}], REACH)
-                  for c in columns]
-        shifts = {}
-        for k, step in enumerate(zip(*probes, strict=True)):
-            for e, *_ in (row for rows in step for row in rows):
-                shifts.setdefault(e, k)
+        shifts: dict[int, int] = {}
+        for k in range(REACH + 1):
+            for c in columns:
+                *_, rows = self.tangent.along([{c: fmpq(1)}], k)
+                for e, *_ in rows:
+                    shifts.setdefault(e, k)
             if len(shifts) == len(self.names):
                 break
         for e, name in enumerate(self.names):
@@ -222,14 +248,13 @@ class LinearPart:
                                          f"order {REACH} of λ; check it or the seed")
         return [shifts[e] for e in range(len(self.names))]
 
-    def rows(self, direction, late):
+    def rows(self, direction: list[Vector], late: int) -> Vector:
         """(DR·T) at order ``late`` above the leading order of each equation, as rationals."""
-        probe = list(tangent(self.problem, self.ring, self.base, direction,
-                             late + max(self.shifts)))
+        probe = list(self.tangent.along(direction, late + max(self.shifts)))
         return {(e, sine, n): self._rational(c, e) for e, s in enumerate(self.shifts)
                 for (row, sine, n), c in probe[late + s].items() if row == e}
 
-    def _rational(self, number, e):
+    def _rational(self, number: Number, e: int) -> fmpq:
         if isinstance(number, fmpq):
             return number
         if not number.is_constant():

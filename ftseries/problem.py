@@ -10,11 +10,16 @@ A problem gives its equations as residuals (left side minus right side) and the 
 coefficients, found by hand, which choose one of the solutions of the first non-linear equations.
 """
 
+from __future__ import annotations
+
 import ast
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import sympy as sp
 
+from .aliases import Coefficients, Expr, Function, Json, Mode, Modes
 from .errors import InputError
 from .series import Series
 from .trig import rational
@@ -46,9 +51,9 @@ class Field:
     series: str = "cos"
     modes: str = "all"
     powers: str = "all"
-    fixed: tuple = ()
+    fixed: tuple[int | Mode, ...] = ()
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if self.series not in tuple(_SINES):
             raise InputError(f"series={self.series!r}: choose 'cos', 'sin' or 'both'")
         _check_parity(self)
@@ -58,22 +63,22 @@ class Field:
             raise InputError(f"fixed={self.fixed!r}: give a tuple of Fourier orders n of the "
                              "ansatz, such as (1,), or of modes (sine, n)")
 
-    def columns(self, top):
+    def columns(self, top: int) -> list[Mode]:
         """The modes (sine, n) of the ansatz with n ≤ top, highest first."""
         return [(sine, n) for n in range(top, -1, -1) for sine in (0, 1)
                 if self.has((sine, n)) and not self.is_fixed((sine, n))]
 
-    def has(self, mode):
+    def has(self, mode: tuple[Any, ...]) -> bool:
         """Is this mode (sine, n) part of the ansatz?"""
         sine, n = mode if len(mode) == 2 else (None, None)
         return (isinstance(n, int) and n >= 0 and sine in _SINES[self.series]
                 and n % 2 in _PARITIES[self.modes] and (n > 0 or not sine))
 
-    def is_fixed(self, mode):
+    def is_fixed(self, mode: Mode) -> bool:
         """Does the seed give this mode (sine, n) completely?"""
         return mode in self.fixed or mode[1] in self.fixed
 
-    def mode(self, key):
+    def mode(self, key: int | Mode) -> Mode:
         """A mode given by hand: n, or (sine, n) where both kinds occur."""
         if isinstance(key, tuple):
             return key
@@ -87,29 +92,29 @@ class Scalar:
     powers: str = "all"
     modes = "all"
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         _check_parity(self)
 
-    def columns(self, top):
+    def columns(self, top: int) -> list[Mode]:
         return [(0, 0)]
 
-    def has(self, mode):
+    def has(self, mode: tuple[Any, ...]) -> bool:
         return mode == (0, 0)
 
-    def is_fixed(self, mode):
+    def is_fixed(self, mode: Mode) -> bool:
         return False
 
-    def mode(self, key):
+    def mode(self, key: int) -> Mode:
         return 0, key
 
 
-def _check_parity(unknown):
+def _check_parity(unknown: Field | Scalar) -> None:
     for what in ("modes", "powers"):
         if getattr(unknown, what) not in tuple(_PARITIES):
             raise InputError(f"{what}={getattr(unknown, what)!r}: choose 'all', 'even' or 'odd'")
 
 
-def expression(x):
+def expression(x: Any) -> Expr:
     """A number, SymPy expression or text as a SymPy expression; decimals become rationals.
 
     A text may hold numbers, names (of positive symbols), + - * / ** and sqrt, and nothing else:
@@ -159,25 +164,25 @@ class Problem:
         Do shifts by thirds of a period bring √3 into the single terms of the equations?
     """
 
-    unknowns = {}
-    seed = {}
-    parameters = ()
-    frequency = None
+    unknowns: dict[str, Field | Scalar] = {}
+    seed: dict[str, Any] = {}
+    parameters: tuple[str, ...] = ()
+    frequency: str | None = None
     variable = "t"
     ahead = 0
     surd = False
     #: every problem class by name, so that a saved solution finds its own
-    classes = {}
+    classes: dict[str, type[Problem]] = {}
 
-    def __init_subclass__(cls):
+    def __init_subclass__(cls) -> None:
         super().__init_subclass__()
         Problem.classes[cls.__name__] = cls
 
-    def equations(self, lam, **unknowns):
+    def equations(self, lam: Function, **unknowns: Function) -> dict[str, Function]:
         """The residuals, a dict from the equation's name to a :class:`ftseries.series.Series`."""
         raise InputError(f"{type(self).__name__} has no equations; define its method 'equations'")
 
-    def residuals(self, lam, unknowns):
+    def residuals(self, lam: Function, unknowns: Mapping[str, Function]) -> dict[str, Series]:
         """:meth:`equations`, checked to be a dict of series."""
         residuals = self.equations(lam, **unknowns)
         if not isinstance(residuals, dict) or not residuals:
@@ -190,41 +195,41 @@ class Problem:
         return residuals
 
     #: the SymPy number in which λ is measured
-    lam_scale = sp.S.One
+    lam_scale: Expr = sp.S.One
 
-    def scale(self, name):
+    def scale(self, name: str) -> Expr:
         """The SymPy number in which an unknown is measured."""
         return sp.S.One
 
-    def unit(self, name, m):
+    def unit(self, name: str, m: int) -> Expr:
         """What turns the solver's coefficient of order m into the paper's."""
         return sp.sympify(self.scale(name)) / sp.sympify(self.lam_scale) ** m
 
-    def first_lam(self, solution):
+    def first_lam(self, solution: Any) -> float:
         """A first guess of the λ that :meth:`condition` singles out."""
         raise InputError(f"{type(self).__name__} has no condition that singles out a λ; give lam")
 
-    def condition(self, lam, **unknowns):
+    def condition(self, lam: Function, **unknowns: Function) -> Function:
         """A function whose mean vanishes at the λ that is sought, where the problem has one."""
         raise InputError(f"{type(self).__name__} has no condition that singles out a λ; give lam")
 
-    def arguments(self):
+    def arguments(self) -> dict[str, Json]:
         """What the constructor needs to make this problem again, as plain JSON values."""
         return {}
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         inner = ", ".join(f"{k}={v}" for k, v in self.arguments().items())
         return f"{type(self).__name__}({inner})"
 
-    def allowed(self, name, n, m):
+    def allowed(self, name: str, n: int, m: int) -> bool:
         """May mode n of an unknown have a coefficient of Taylor order m, beyond the seed?"""
         return (n <= m + self.ahead and m >= len(self.seed[name]) and self.in_powers(name, m))
 
-    def in_powers(self, name, m):
+    def in_powers(self, name: str, m: int) -> bool:
         """Is λ^m among the powers of an unknown's ansatz?"""
         return m % 2 in _PARITIES[self.unknowns[name].powers]
 
-    def check(self):
+    def check(self) -> None:
         """Refuse a declaration that cannot be meant."""
         kind = type(self).__name__
         if not self.unknowns:
@@ -240,7 +245,7 @@ class Problem:
             raise InputError(f"parameters={self.parameters!r} of {kind}: give a tuple of names, "
                              "such as ('mu',)")
 
-    def first_coefficients(self):
+    def first_coefficients(self) -> Coefficients:
         """The seed as ``{name: [{(sine, n): fmpq}, …]}``; refuses a missing or foreign one."""
         self.check()
         if not isinstance(self.seed, dict) or not all(
@@ -258,7 +263,7 @@ class Problem:
         return {name: [self._seed_row(name, m, row) for m, row in enumerate(self.seed[name])]
                 for name in self.unknowns}
 
-    def _seed_row(self, name, m, row):
+    def _seed_row(self, name: str, m: int, row: Any) -> Modes:
         unknown = self.unknowns[name]
         row = {unknown.mode(n): c for n, c in (row if isinstance(row, dict) else {0: row}).items()}
         for mode in row:

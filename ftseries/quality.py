@@ -5,22 +5,32 @@ z = Λ^step with Λ = λ / lam_scale, where step is 2 for a series in λ², so t
 sequence is regularly zero.
 """
 
+from __future__ import annotations
+
 import warnings
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from flint import ctx
+from flint import ctx, fmpq
 
 from . import analysis, evaluation
+from .aliases import Coefficients, Function, Mode, Modes, Number
 from .analysis import Estimate, Singularity
 from .branch import branch_point
 from .conversion import at
 from .errors import ConvergenceWarning, InputError
+from .expansion import Expansion
 from .grid import FloatRing
 from .laurent import BallRing, PolynomialRing, RationalRing
 from .problem import Scalar
-from .refine import Orbit, refine, residuals
+from .refine import Orbit, residuals
 from .resum import Resummed
-from .series import Expansion, Series
+from .series import Series
+
+if TYPE_CHECKING:
+    from .problem import Field, Problem
+    from .trig import Ring
 
 __all__ = ["Quality"]
 
@@ -33,7 +43,19 @@ _FAR = 0.5
 class Quality:
     """Analysis of a solution's Taylor coefficients."""
 
-    def sequence(self, name, n=0, sine=None, **parameters):
+    # what a solution has
+    problem: Problem
+    arithmetic: str
+    order: int
+    coefficients: Coefficients
+    precision: int | None
+    table: Callable[..., dict[Mode, list[float]]]
+    _unknown: Callable[[str], Field | Scalar]
+    _check_parameters: Callable[[Mapping[str, Any]], None]
+    _point: Callable[[Mapping[str, Any]], list[fmpq]]
+
+    def sequence(self, name: str, n: int = 0, sine: bool | None = None,
+                 **parameters: Any) -> tuple[int, int, list[Number]]:
         """(step, first, c): mode n of an unknown is Λ^first Σ_k c_k Λ^{step k}.
 
         The c_k are the solver's numbers: exact, float or ball.
@@ -51,7 +73,8 @@ class Quality:
                              "choose a mode of the ansatz or a higher order")
         return analysis.thin(row)
 
-    def expand(self, function, n=0, sine=False, **parameters):
+    def expand(self, function: Callable[..., Function], n: int = 0, sine: bool = False,
+               **parameters: Any) -> tuple[int, int, list[Number]]:
         """(step, first, c), as :meth:`sequence`, of a mode of a function of λ and the unknowns.
 
         Parameters
@@ -69,6 +92,7 @@ class Quality:
         (2, 0, [1, -5/16, 7/256, -55/24576])
         """
         self._check_parameters(parameters)
+        ring: Ring
         if self.problem.parameters:
             ring = PolynomialRing(self.problem.parameters)
         elif self.arithmetic == "float":
@@ -87,14 +111,16 @@ class Quality:
             rows = [result[m].modes() for m in range(self.order + 1)]
         return analysis.thin([at(row[mode], point) if mode in row else 0 for row in rows])
 
-    def singularities(self, name, n=0, sine=None, **parameters):
+    def singularities(self, name: str, n: int = 0, sine: bool | None = None,
+                      **parameters: Any) -> list[Singularity]:
         """The singularities in z = Λ^step nearest to 0, from one mode, nearest first.
 
         See :func:`ftseries.analysis.nearest_singularities`.
         """
         return analysis.nearest_singularities(self.sequence(name, n, sine, **parameters)[2])
 
-    def branch_point(self, name, n=0, sine=None, **parameters):
+    def branch_point(self, name: str, n: int = 0, sine: bool | None = None,
+                     **parameters: Any) -> Singularity:
         """The first of :meth:`singularities`, made sharp on the problem's equations themselves.
 
         Two periodic solutions meet there; see :mod:`ftseries.branch`.
@@ -127,7 +153,8 @@ class Quality:
         lam, error = branch_point(self.problem, outer, slope, place, values)
         return Singularity(lam**step, 0.5, step * abs(lam) ** (step - 1) * error, 0.0)
 
-    def radius_of_convergence(self, name, n=None, sine=None, **parameters):
+    def radius_of_convergence(self, name: str, n: int | None = None, sine: bool | None = None,
+                              **parameters: Any) -> Estimate:
         """The radius of convergence in λ, with its uncertainty.
 
         Parameters
@@ -157,11 +184,11 @@ class Quality:
         """
         unknown = self._unknown(name)
         if isinstance(unknown, Scalar):
-            modes = [(0, 0)]
+            modes: list[tuple[bool | None, int]] = [(False, 0)]
         elif n is not None:
             modes = [(sine, n)]
         else:
-            modes = [mode for mode in reversed(unknown.columns(_LOW_MODES))
+            modes = [(bool(mode[0]), mode[1]) for mode in reversed(unknown.columns(_LOW_MODES))
                      if any(mode in row for row in self.coefficients[name])]
         scale, found = float(self.problem.lam_scale), []
         for sine, n in modes:
@@ -180,7 +207,7 @@ class Quality:
         (error, value), *others = sorted(found)
         return Estimate(value, max([error] + [abs(value - other) for _, other in others[:1]]))
 
-    def resum(self, **parameters):
+    def resum(self, **parameters: Any) -> Resummed:
         """The same series summed by Padé approximants in λ, mode by mode.
 
         Returns
@@ -198,7 +225,7 @@ class Quality:
         self._check_parameters(parameters)
         return Resummed(self, parameters)
 
-    def residual(self, lam, **parameters):
+    def residual(self, lam: float, **parameters: Any) -> dict[str, float]:
         """The largest absolute residual of each equation at λ, in the solver's units, as a dict.
 
         Derivatives are those of the truncated series, products are not truncated.
@@ -209,7 +236,7 @@ class Quality:
         return residuals(self.problem, self._amplitudes(lam, values),
                          lam / float(self.problem.lam_scale), values)
 
-    def error_estimate(self, name, lam, **parameters):
+    def error_estimate(self, name: str, lam: float, **parameters: Any) -> float:
         """About how far the truncated series is from its sum, uniformly in t.
 
         The last third of the coefficients gives an envelope c_m ≤ C R^{-m}; the estimate is the sum
@@ -226,7 +253,7 @@ class Quality:
         envelope = (sums[last] * radius ** m[last]).max()
         return float(envelope * ratio ** (self.order + 1) / (1 - ratio))
 
-    def refine(self, lam=None, **parameters):
+    def refine(self, lam: float | None = None, **parameters: Any) -> Orbit:
         """The periodic solution at λ to rounding, by Newton's method from this series.
 
         Parameters
@@ -260,24 +287,25 @@ class Quality:
             lam = self.problem.first_lam(self)
         lam = float(evaluation.finite("lam", lam))
         values = {key: float(evaluation.finite(key, value)) for key, value in parameters.items()}
-        scale = float(self.problem.lam_scale)
-        first = self._amplitudes(lam, values)
-        lam, found, residual, steps = refine(self.problem, first, lam / scale, condition, values)
-        if max(_change(first[name], found[name]) for name in found) > _FAR:
-            warnings.warn(f"at λ = {lam * scale:g} Newton's method ended far from the series where "
+        first = Orbit(self.problem, lam, {
+            name: evaluation.amplitudes(self.table(name, **parameters), lam)
+            for name in self.problem.unknowns}, values)
+        orbit = first.refine(lam=None if condition else lam)
+        if max(_change(first.coefficients[name], modes)
+               for name, modes in orbit.coefficients.items()) > _FAR:
+            warnings.warn(f"at λ = {orbit.lam:g} Newton's method ended far from the series where "
                           "it began: this may be another of the problem's solutions; take a higher "
                           "order or a smaller λ", ConvergenceWarning, stacklevel=2)
-        found = {name: {mode: float(self.problem.scale(name)) * c for mode, c in modes.items()}
-                 for name, modes in found.items()}
-        return Orbit(self.problem, lam * scale, found, residual, steps)
+        return orbit
 
-    def _amplitudes(self, lam, parameters):
+    def _amplitudes(self, lam: float, parameters: Mapping[str, float]) -> dict[str, Modes]:
         """``{name: {mode: A_n(λ)}}`` in the solver's units."""
         return {name: {mode: float(c) / float(self.problem.scale(name)) for mode, c in
                        evaluation.amplitudes(self.table(name, **parameters), lam).items()}
                 for name in self.problem.unknowns}
 
-    def _complex_amplitudes(self, lam, parameters):
+    def _complex_amplitudes(self, lam: complex,
+                            parameters: Mapping[str, float]) -> dict[str, Modes]:
         """The same at a complex λ in the solver's units."""
         lam = lam * float(self.problem.lam_scale)
         return {name: {mode: np.polynomial.polynomial.polyval(lam, row)
@@ -286,7 +314,7 @@ class Quality:
                 for name in self.problem.unknowns}
 
 
-def _change(before, after):
+def _change(before: Mapping[Mode, Any], after: Mapping[Mode, Any]) -> float:
     """The largest change of a mode, relative to the largest mode."""
     change = max(abs(after.get(m, 0.0) - before.get(m, 0.0)) for m in before.keys() | after.keys())
-    return change / max(map(abs, after.values()), default=1.0)
+    return float(change / max(map(abs, after.values()), default=1.0))

@@ -12,14 +12,18 @@ Only names that were declared may occur, besides sin, cos, exp, sqrt, pi and dif
 fraction that it looks like.
 """
 
+from __future__ import annotations
+
 import ast
 import keyword
 import re
 from dataclasses import dataclass, field
+from typing import Any
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from .aliases import Expr
 from .errors import InputError
 
 __all__ = ["Language", "name_of"]
@@ -30,7 +34,7 @@ _FUNCTIONS = {"sin": sp.sin, "cos": sp.cos, "exp": sp.exp, "sqrt": sp.sqrt, "dif
 _KNOWN = _FUNCTIONS | {"pi": sp.pi}
 
 
-def name_of(key):
+def name_of(key: Any) -> str:
     """The name of a SymPy symbol or function, or a name.
 
     >>> name_of(sp.Symbol("omega")), name_of(sp.Function("x")), name_of("x")
@@ -64,12 +68,12 @@ class Language:
 
     time: str
     lam: str
-    fields: tuple
-    scalars: tuple = ()
-    parameters: tuple = ()
-    values: dict = field(default_factory=dict)
+    fields: tuple[str, ...]
+    scalars: tuple[str, ...] = ()
+    parameters: tuple[str, ...] = ()
+    values: dict[str, Expr] = field(default_factory=dict)
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         names = [self.time, self.lam, *self.fields, *self.scalars, *self.parameters]
         twice = sorted({name for name in names if names.count(name) > 1})
         if twice:
@@ -77,12 +81,12 @@ class Language:
                              "parameter, λ and the time needs a name of its own")
 
     @property
-    def symbols(self):
+    def symbols(self) -> dict[str, Expr]:
         """Name to symbol, of everything but the fields."""
         names = (self.time, self.lam, *self.scalars, *self.parameters)
         return {name: sp.Symbol(name) for name in names}
 
-    def equation(self, source):
+    def equation(self, source: Any) -> Expr:
         """An expression that is to vanish, from a text, a SymPy Eq or an expression."""
         if isinstance(source, str):
             sides = source.split("=")
@@ -95,7 +99,7 @@ class Language:
             return self._own(source.lhs - source.rhs)
         return self.expression(source)
 
-    def expression(self, source):
+    def expression(self, source: Any) -> Expr:
         """An expression, from a text or from SymPy."""
         if isinstance(source, str):
             return self._own(self._read(source, source))
@@ -108,15 +112,15 @@ class Language:
                              "text")
         return self._own(e)
 
-    def written(self, e):
+    def written(self, e: Expr) -> str:
         """An expression as text that :meth:`equation` reads again: x'' for derivatives."""
         time = sp.Symbol(self.time)
 
-        def primed(f, times=0):
+        def primed(f: Expr, times: int = 0) -> Expr:
             at = "" if f.args[0] == time else f"({f.args[0]})"
             return sp.Symbol(f.func.__name__ + "'" * times + at)
 
-        def at_point(inner, variables, point):
+        def at_point(inner: Expr, variables: Expr, point: Expr) -> Expr:
             f = inner.expr.xreplace({variables[0]: point[0]})
             return primed(f, int(inner.derivative_count))
         e = e.replace(sp.Subs, at_point)
@@ -124,13 +128,13 @@ class Language:
                       lambda d: primed(d.expr, int(d.derivative_count)))
         return str(e.replace(lambda f: isinstance(f, AppliedUndef), primed))
 
-    def _own(self, e):
+    def _own(self, e: Expr) -> Expr:
         """The expression in this language's symbols, decimals as fractions, values put in."""
         symbols = self.symbols | {name: sp.sympify(v) for name, v in self.values.items()}
         e = e.subs({s: symbols[s.name] for s in e.free_symbols if s.name in symbols})
         return e.xreplace({x: sp.Rational(str(x)) for x in e.atoms(sp.Float)}).doit()
 
-    def _read(self, text, whole):
+    def _read(self, text: str, whole: str) -> Expr:
         """One side of an equation given as text."""
         source = self._with_time(text.replace("^", "**").strip(), whole)
         try:
@@ -164,7 +168,7 @@ class Language:
                              "such as sin(x)")
         return result
 
-    def _with_time(self, text, whole):
+    def _with_time(self, text: str, whole: str) -> str:
         """x'' as diff(x(t), t, 2), x as x(t)."""
         if not self.fields:
             return text
@@ -186,7 +190,7 @@ class Language:
         return "".join(out) + text[end:]
 
     @staticmethod
-    def _bracket(text, start, whole):
+    def _bracket(text: str, start: int, whole: str) -> tuple[str, int]:
         """(what stands in the bracket that opens before ``start``, where it ends)."""
         depth = 1
         for i in range(start, len(text)):

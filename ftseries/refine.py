@@ -9,12 +9,23 @@ dependent (in the eight, S'' = 0 makes one redundant).  The columns of J come fr
 which have no cancellation.  More modes are taken until the last ones are negligible.
 """
 
-import numpy as np
+from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .aliases import Array, ArrayLike, Mode, Modes, Real
 from .errors import SolveError
 from .evaluation import fourier_sum
 from .problem import Scalar
 from .sampling import Sampled, Samples
+from .trig import finite
+
+if TYPE_CHECKING:
+    from .problem import Problem
 
 __all__ = ["Orbit", "refine", "residuals"]
 
@@ -33,21 +44,25 @@ class Orbit:
         The value of λ, solved for when the problem's condition was asked.
     coefficients : dict
         ``{name: {(sine, n): float}}`` in the paper's units.
+    parameters : dict
+        Values of the problem's free parameters.
     residual : float
         The largest absolute value of the residuals on the grid, in the solver's units.
     steps : int
         Newton steps taken.
     """
 
-    def __init__(self, problem, lam, coefficients, residual, steps):
+    def __init__(self, problem: Problem, lam: float, coefficients: dict[str, Modes],
+                 parameters: Mapping[str, float] | None = None, residual: float = np.nan,
+                 steps: int = 0) -> None:
         self.problem, self.lam, self.coefficients = problem, lam, coefficients
-        self.residual, self.steps = residual, steps
+        self.parameters, self.residual, self.steps = parameters or {}, residual, steps
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return (f"<Orbit of {self.problem!r} at λ = {self.lam:.15g}, residual {self.residual:.1e}, "
                 f"{self.steps} steps>")
 
-    def evaluate(self, name, t=None, *, lam=None):
+    def evaluate(self, name: str, t: ArrayLike | None = None, *, lam: Any = None) -> Real:
         """The value of an unknown at times t; ``lam`` is there for callers that pass it."""
         amplitude = self.coefficients[name]
         if isinstance(self.problem.unknowns[name], Scalar):
@@ -55,33 +70,68 @@ class Orbit:
         omega = (self.coefficients[self.problem.frequency][0, 0] if self.problem.frequency else 1.0)
         return fourier_sum(amplitude, omega * np.asarray(t, dtype=float))
 
+    def refine(self, problem: Problem | None = None, lam: float | None = None) -> Orbit:
+        """The periodic solution next to this one, by Newton's method.
+
+        Parameters
+        ----------
+        problem : Problem, optional
+            A neighbouring problem with the same unknowns, to follow a family; left out, the same.
+        lam : float, optional
+            λ; left out, it is solved for from the problem's condition.
+
+        Returns
+        -------
+        Orbit
+
+        Examples
+        --------
+        From gravitation to the logarithmic potential:
+
+        >>> import ftseries as fts
+        >>> orbit = fts.solve(fts.FigureEight(), order=6).refine()
+        >>> round(orbit.refine(fts.FigureEight(exponent=0)).lam, 12)
+        2.038129972545
+        """
+        problem, condition = problem or self.problem, lam is None
+        units = {name: float(problem.scale(name)) for name in problem.unknowns}
+        unit = float(problem.lam_scale)
+        old = {name: float(self.problem.scale(name)) for name in self.problem.unknowns}
+        guess = {name: {mode: c / old[name] for mode, c in modes.items()}
+                 for name, modes in self.coefficients.items()}
+        start = float(finite("lam", self.lam if condition else lam))
+        found, modes, residual, steps = refine(problem, guess, start / unit, condition,
+                                               self.parameters)
+        modes = {name: {mode: units[name] * c for mode, c in row.items()}
+                 for name, row in modes.items()}
+        return Orbit(problem, found * unit, modes, self.parameters, residual, steps)
+
 
 class Collocation:
     """The residual's modes as a function of the free modes up to N and of λ."""
 
-    def __init__(self, problem, top, parameters):
+    def __init__(self, problem: Problem, top: int, parameters: Mapping[str, float] | None) -> None:
         self.problem, self.top, self.parameters = problem, top, parameters
         self.columns = [(name, *mode) for name, unknown in problem.unknowns.items()
                         for mode in unknown.columns(top)]
         self.points = 4 * top
         tau = Samples(self.points).tau
-        n = np.arange(top + _MORE_ROWS)
-        self.modes = [(sine, k) for sine in (0, 1) for k in n]
-        cos, sin = np.cos(np.outer(n, tau)), np.sin(np.outer(n, tau))
-        n = n[:, None]
+        self.modes = [(sine, k) for sine in (0, 1) for k in range(top + _MORE_ROWS)]
+        n = np.arange(top + _MORE_ROWS)[:, None]
+        cos, sin = np.cos(n * tau), np.sin(n * tau)
         #: the modes on the grid, with their first and second derivatives: (3, modes, points)
         self.waves = np.stack([np.concatenate(pair) for pair in (
             (cos, sin), (-n * sin, n * cos), (-n**2 * cos, -n**2 * sin))])
-        self.basis = {name: np.stack([self._wave(mode) * (name == own)
-                                      for own, *mode in self.columns], axis=1)
+        self.basis = {name: np.stack([self._wave((sine, k)) * (name == own)
+                                      for own, sine, k in self.columns], axis=1)
                       for name in problem.unknowns}
         self.fixed = {name: [(m, c * self._wave(mode)) for m, mode, c in _fixed(problem, name)]
                       for name in problem.unknowns}
 
-    def _wave(self, mode):
-        return self.waves[:, self.modes.index(tuple(mode))]
+    def _wave(self, mode: Mode) -> NDArray[Any]:
+        return self.waves[:, self.modes.index(mode)]
 
-    def unknowns(self, x, lam):
+    def unknowns(self, x: NDArray[Any], lam: NDArray[Any]) -> tuple[Sampled, dict[str, Sampled]]:
         """The unknowns on the grid, for x of shape (…, columns) and λ of shape (…)."""
         samples = Samples(self.points, lam, self.parameters)
         result = {}
@@ -95,7 +145,7 @@ class Collocation:
             result[name] = Sampled(samples, values[0], values[1:])
         return samples.lam, result
 
-    def __call__(self, x, lam, condition=False):
+    def __call__(self, x: NDArray[Any], lam: NDArray[Any], condition: bool = False) -> NDArray[Any]:
         """F: the projections of the residuals on all modes, and the condition where asked."""
         parameter, unknowns = self.unknowns(x, lam)
         shape = x.shape[:-1] + (self.points,)
@@ -106,7 +156,7 @@ class Collocation:
                 axis=-1, keepdims=True))
         return np.concatenate(values, axis=-1)
 
-    def newton(self, x, lam, condition):
+    def newton(self, x: Array, lam: float, condition: bool) -> tuple[Array, float, int]:
         """(x, λ, steps) with steps of Newton's method until rounding stops them."""
         size, before = len(x) + condition, np.inf
         steps = 1j * _STEP * np.eye(size)
@@ -125,26 +175,28 @@ class Collocation:
             change = np.abs(delta).max()
             if not np.isfinite(change) or (step > 6 and change > before > 1e-6):
                 break
-            if change < 1e-15 * np.abs(x).max() or (change < 1e-12 and change > before / 4):
+            if change < 1e-15 * np.abs(x).max() or (change < 1e-10 and change > before / 4):
                 return x, float(lam), step
             before = change
         raise SolveError(f"Newton's method does not converge at λ = {float(lam):g}: the series is "
                          "too poor a first guess there; take a higher order or a smaller λ")
 
 
-def _product(a, real):
+def _product(a: NDArray[Any], real: Array) -> NDArray[Any]:
     """a @ real, the real and imaginary part of a apart."""
     return a.real @ real + 1j * (a.imag @ real) if np.iscomplexobj(a) else a @ real
 
 
-def _fixed(problem, name):
+def _fixed(problem: Problem, name: str) -> list[tuple[int, Mode, float]]:
     """(m, mode, coefficient) of the modes that the seed gives completely."""
     return [(m, mode, float(c.p) / float(c.q))
             for m, row in enumerate(problem.first_coefficients()[name]) for mode, c in row.items()
             if problem.unknowns[name].is_fixed(mode)]
 
 
-def refine(problem, first_guess, lam, condition=False, parameters=None):
+def refine(problem: Problem, first_guess: dict[str, Modes], lam: float, condition: bool = False,
+           parameters: Mapping[str, float] | None = None
+           ) -> tuple[float, dict[str, Modes], float, int]:
     """Newton's method from a truncated series.
 
     Parameters
@@ -168,12 +220,12 @@ def refine(problem, first_guess, lam, condition=False, parameters=None):
     top, total, guess = max(_FIRST_MODES, highest + 2), 0, first_guess
     while True:
         system = Collocation(problem, top, parameters)
-        x = np.array([guess[name].get(tuple(mode), 0.0) for name, *mode in system.columns])
+        x = np.array([guess[name].get((sine, n), 0.0) for name, sine, n in system.columns])
         x, lam, steps = system.newton(x, lam, condition)
         total += steps
         guess = {name: {} for name in problem.unknowns}
-        for (name, *mode), value in zip(system.columns, x):
-            guess[name][tuple(mode)] = value
+        for (name, sine, n), value in zip(system.columns, x):
+            guess[name][sine, n] = value
         tail = max((abs(c) for modes in guess.values() for (_, n), c in modes.items()
                     if n > top - 4), default=0.0)
         if tail < 1e-15 * np.abs(x).max() or top >= _MOST_MODES:
@@ -187,14 +239,15 @@ def refine(problem, first_guess, lam, condition=False, parameters=None):
     return lam, guess, max(residuals(problem, guess, lam, parameters).values()), total
 
 
-def residuals(problem, coefficients, lam, parameters=None):
+def residuals(problem: Problem, coefficients: dict[str, Modes], lam: float,
+              parameters: Mapping[str, float] | None = None) -> dict[str, float]:
     """The largest absolute residual of each equation on a grid, ``{equation: float}``.
 
     ``coefficients`` are ``{name: {(sine, n): float}}`` at ``lam``, in the solver's units.
     """
     top = max((n for modes in coefficients.values() for _, n in modes), default=0) + 1
     system = Collocation(problem, max(top, _FIRST_MODES // 2), parameters)
-    x = np.array([coefficients[name].get(tuple(mode), 0.0) for name, *mode in system.columns])
+    x = np.array([coefficients[name].get((sine, n), 0.0) for name, sine, n in system.columns])
     parameter, unknowns = system.unknowns(x, np.asarray(lam))
     return {name: float(np.abs(r.values).max())
             for name, r in problem.equations(parameter, **unknowns).items()}

@@ -4,14 +4,27 @@ Formula.  Mode n of an unknown is Λ^first Σ_k c_k z^k with z = Λ^step (see
 :meth:`ftseries.Solution.sequence`); the sum is replaced by its diagonal Padé approximant in z.
 """
 
-import numpy as np
+from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+from flint import arb, ctx
+
+from .aliases import ArrayLike, Column, Mode, Real
 from .analysis import Estimate, pade
+from .conversion import to_ball
 from .errors import InputError
 from .evaluation import finite, fourier_sum
 from .problem import Scalar
 
-__all__ = ["Resummed", "uncertainty"]
+if TYPE_CHECKING:
+    from .analysis import Pade
+    from .quality import Quality
+    from .solution import Solution
+
+__all__ = ["Resummed", "at_phase", "uncertainty"]
 
 #: coefficients of a mode that are used when they are floats: more would fit their rounding
 _FLOAT_TERMS = 100
@@ -29,47 +42,48 @@ class Resummed:
         The Taylor order of the coefficients used.
     """
 
-    def __init__(self, solution, parameters, drop=0):
+    def __init__(self, solution: Quality, parameters: Mapping[str, float], drop: int = 0) -> None:
         self.solution, self.parameters, self.drop = solution, parameters, drop
         self.problem, self.order = solution.problem, solution.order
-        self._modes, self._fewer = {}, None
+        self._modes: dict[str, dict[Mode, tuple[int, int, Pade]]] = {}
+        self._fewer: Resummed | None = None
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<Padé sum of {self.solution!r}>"
 
-    def approximants(self, name):
+    def approximants(self, name: str) -> dict[Mode, tuple[int, int, Pade]]:
         """``{(sine, n): (step, first, Pade)}`` of one unknown."""
         if name not in self._modes:
             found = {mode for row in self.solution.coefficients[name] for mode in row}
             self._modes[name] = {}
             for sine, n in sorted(found, key=lambda mode: mode[::-1]):
-                step, first, c = self.solution.sequence(name, n, sine, **self.parameters)
+                step, first, c = self.solution.sequence(name, n, bool(sine), **self.parameters)
                 if any(isinstance(x, float) for x in c):
                     c = c[:_FLOAT_TERMS]
                 c = c[:max(len(c) - self.drop, 1)]
                 self._modes[name][sine, n] = step, first, pade(c)
         return self._modes[name]
 
-    def fewer(self):
+    def fewer(self) -> Resummed:
         """The same with one coefficient less in each mode, to compare with."""
         if self._fewer is None:
             self._fewer = Resummed(self.solution, self.parameters, self.drop + 1)
         return self._fewer
 
-    def defects(self):
+    def defects(self) -> dict[Column, list[complex]]:
         """``{(name, sine, n): poles in z}`` of the approximants with spurious pole-zero pairs."""
         return {(name, *mode): spurious for name in self.problem.unknowns
                 for mode, (_, _, approximant) in self.approximants(name).items()
                 if (spurious := approximant.defects())}
 
-    def amplitudes(self, name, lam):
+    def amplitudes(self, name: str, lam: ArrayLike) -> dict[Mode, Real]:
         """``{(sine, n): A_n(λ)}`` in the paper's units."""
         lam = finite("lam", lam) / float(self.problem.lam_scale)
         unit = float(self.problem.scale(name))
         return {mode: unit * lam**first * approximant(lam**step)
                 for mode, (step, first, approximant) in self.approximants(name).items()}
 
-    def evaluate(self, name, t=None, *, lam):
+    def evaluate(self, name: str, t: ArrayLike | None = None, *, lam: ArrayLike) -> Real:
         """The value of an unknown at times t and parameter λ, broadcasting."""
         unknown = self.solution._unknown(name)
         amplitude = self.amplitudes(name, lam)
@@ -78,12 +92,12 @@ class Resummed:
             return amplitude[0, 0]
         if t is None:
             raise InputError(f"{name!r} depends on time: evaluate({name!r}, t, lam=…)")
-        t = finite("t", t)
+        tau = finite("t", t)
         if self.problem.frequency:
-            t = t * self.amplitudes(self.problem.frequency, lam)[0, 0]
-        return fourier_sum(amplitude, t + 0 * finite("lam", lam))
+            tau = tau * self.amplitudes(self.problem.frequency, lam)[0, 0]
+        return fourier_sum(amplitude, tau + 0 * finite("lam", lam))
 
-    def error(self, name, lam):
+    def error(self, name: str, lam: ArrayLike) -> Real:
         """Σ_n of the uncertainty of A_n(λ): an estimate, not a bound; see :func:`uncertainty`.
 
         Near a pole of an approximant it is large.
@@ -94,7 +108,7 @@ class Resummed:
                    for first, other in ((sums[i], sums[j]) for i, j in _PAIRS)]
         return uncertainty(*changes)
 
-    def estimate(self, quantity):
+    def estimate(self, quantity: Callable[[Resummed], float]) -> Estimate:
         """``quantity`` of this sum with its uncertainty.
 
         Parameters
@@ -121,20 +135,20 @@ class Resummed:
         return Estimate(values[0], float(uncertainty(*(abs(values[i] - values[j])
                                                        for i, j in _PAIRS))))
 
-    def _poorer(self):
+    def _poorer(self) -> list[Resummed]:
         """This sum and those with one to four coefficients less in each mode."""
         sums = [self]
         for _ in range(4):
             sums.append(sums[-1].fewer())
         return sums
 
-    def _refuse_poles(self, name, amplitude, lam):
+    def _refuse_poles(self, name: str, amplitude: Mapping[Mode, Real], lam: ArrayLike) -> None:
         if not all(np.isfinite(a).all() for a in amplitude.values()):
             raise InputError(f"λ = {lam!r} is a pole of a Padé approximant of {name!r}; change λ "
                              "or the order")
 
 
-def uncertainty(first, second, third, fourth):
+def uncertainty(first: Real, second: Real, third: Real, fourth: Real) -> Real:
     """An error from four changes of a sum: the last two coefficients, and the two before them.
 
     If the changes c, c' fall geometrically, by r = c/c', what is left out is c r/(1 - r); the error
@@ -147,3 +161,43 @@ def uncertainty(first, second, third, fourth):
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = np.clip(np.nan_to_num(last / before), 0, 0.95)
     return last * np.maximum(1, ratio / (1 - ratio))
+
+
+def at_phase(solution: Solution, name: str, tau: float, slope: bool = False) -> list[arb]:
+    """The Taylor coefficients in λ of u(τ; λ) at one phase τ, as balls.
+
+    Mode n of a solution begins at λ^n, so that high modes have few coefficients, and their Padé
+    approximants are poor.  At a fixed phase all orders are there; see
+    :func:`ftseries.analysis.pade`.
+
+    Parameters
+    ----------
+    solution : Solution
+        Of a problem without free parameters.
+    name : str
+        A field.
+    tau : float
+    slope : bool
+        Of ∂u/∂τ instead.
+
+    Examples
+    --------
+    >>> import ftseries as fts
+    >>> sol = fts.solve(fts.CubicOscillator(a=1), order=2)
+    >>> [float(c) for c in at_phase(sol, "x", 0.0)] == [
+    ...     sum(float(sol.coefficient("x", n, m)) for n in range(m + 1)) for m in range(3)]
+    True
+    """
+    if solution.problem.parameters:
+        raise InputError(f"{solution.problem!r} has free parameters; give them values")
+    if isinstance(solution._unknown(name), Scalar):
+        raise InputError(f"{name!r} does not depend on the phase; ask for a field")
+    with ctx.workprec(solution.precision or 256):
+        phase, series = arb(float(finite("tau", tau))), []
+        for m, row in enumerate(solution.coefficients[name]):
+            total = arb(0)
+            for (sine, n), number in row.items():
+                wave = (n * phase).sin() if sine != slope else (n * phase).cos()
+                total += arb(number) * wave * ((1 if sine else -1) * n if slope else 1)
+            series.append(total * to_ball(solution.problem.unit(name, m)))
+        return series

@@ -6,18 +6,29 @@ number λ.  Derivatives and shifts act on the discrete Fourier transform.  Value
 may have leading axes: a step i·h along many modes at once gives the exact derivative.
 """
 
-import numpy as np
+from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .aliases import ArrayLike, Exact
 from .errors import InputError
 from .trig import rational
 
 __all__ = ["Samples", "Sampled"]
 
+#: what stands beside a function in a formula: another one, or a number
+Operand: TypeAlias = Any
+
 
 class Samples:
     """The grid with M points; it makes λ, parameters, known functions as an ``Expansion`` does."""
 
-    def __init__(self, points, lam=0.0, parameters=None):
+    def __init__(self, points: int, lam: ArrayLike = 0.0,
+                 parameters: Mapping[str, float] | None = None) -> None:
         self.points, self.parameters = points, parameters or {}
         self.tau = 2 * np.pi * np.arange(points) / points
         self.n = np.fft.fftfreq(points, 1 / points)
@@ -25,20 +36,20 @@ class Samples:
             self.n[points // 2] = 0                      # this mode has no derivative on the grid
         self.lam = self.constant(lam)
 
-    def constant(self, number):
+    def constant(self, number: Any) -> Sampled:
         """A number, or an array of them along leading axes."""
         if not isinstance(number, (int, float, complex, np.ndarray, np.number)):
             number = rational(number)
             number = int(number.p) / int(number.q)
         return Sampled(self, (np.asarray(number) + 0.0)[..., None])
 
-    def parameter(self, name):
+    def parameter(self, name: str) -> Sampled:
         return self.constant(self.parameters[name])
 
-    def cos(self, n):
+    def cos(self, n: int) -> Sampled:
         return Sampled(self, np.cos(n * self.tau))
 
-    def sin(self, n):
+    def sin(self, n: int) -> Sampled:
         return Sampled(self, np.sin(n * self.tau))
 
 
@@ -48,73 +59,74 @@ class Sampled:
     The derivative of samples alone multiplies their rounding by n, the second one by n².
     """
 
-    def __init__(self, samples, values, derivatives=()):
+    def __init__(self, samples: Samples, values: NDArray[Any],
+                 derivatives: Sequence[NDArray[Any]] = ()) -> None:
         self.expansion, self.values, self.derivatives = samples, values, derivatives
 
-    def _other(self, other):
+    def _other(self, other: Operand) -> NDArray[Any]:
         return other.values if isinstance(other, Sampled) else self.expansion.constant(other).values
 
-    def _new(self, values):
+    def _new(self, values: NDArray[Any]) -> Sampled:
         return Sampled(self.expansion, values)
 
-    def __add__(self, other):
+    def __add__(self, other: Operand) -> Sampled:
         return self._new(self.values + self._other(other))
 
     __radd__ = __add__
 
-    def __neg__(self):
+    def __neg__(self) -> Sampled:
         return self._new(-self.values)
 
-    def __sub__(self, other):
+    def __sub__(self, other: Operand) -> Sampled:
         return self._new(self.values - self._other(other))
 
-    def __rsub__(self, other):
+    def __rsub__(self, other: Operand) -> Sampled:
         return self._new(self._other(other) - self.values)
 
-    def __mul__(self, other):
+    def __mul__(self, other: Operand) -> Sampled:
         return self._new(self.values * self._other(other))
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other):
+    def __truediv__(self, other: Operand) -> Sampled:
         return self._new(self.values / self._other(other))
 
-    def __rtruediv__(self, other):
+    def __rtruediv__(self, other: Operand) -> Sampled:
         return self._new(self._other(other) / self.values)
 
-    def __pow__(self, alpha):
+    def __pow__(self, alpha: Exact) -> Sampled:
         alpha = rational(alpha)
         if alpha.q == 1:
             return self._new(self.values ** int(alpha.p))
         return self._new(self.values ** (int(alpha.p) / int(alpha.q)))
 
-    def sin(self):
+    def sin(self) -> Sampled:
         return self._new(np.sin(self.values))
 
-    def cos(self):
+    def cos(self) -> Sampled:
         return self._new(np.cos(self.values))
 
-    def exp(self):
+    def exp(self) -> Sampled:
         return self._new(np.exp(self.values))
 
-    def diff(self, times=1):
+    def diff(self, times: int = 1) -> Sampled:
         if times not in (1, 2):
             raise InputError(f"a derivative of order {times!r} is not offered; use 1 or 2")
         if self.derivatives:
             return self._new(self.derivatives[times - 1])
         return self._filter((1j * self.expansion.n) ** times)
 
-    def shift(self, fraction):
+    def shift(self, fraction: Exact) -> Sampled:
         fraction = rational(fraction)
         turns = int(fraction.p) / int(fraction.q) * np.fft.fftfreq(
             self.expansion.points, 1 / self.expansion.points)
         return self._filter(np.exp(2j * np.pi * turns))
 
-    def neighbours(self, bodies=3):
+    def neighbours(self, bodies: int = 3) -> Sampled:
         n = np.rint(np.fft.fftfreq(self.expansion.points, 1 / self.expansion.points))
         return self._filter(np.where(n % bodies == 0, bodies - 1.0, -1.0))
 
-    def _filter(self, multiplier):
+    def _filter(self, multiplier: NDArray[Any]) -> Sampled:
         if np.iscomplexobj(self.values):     # apart, or rounding of one would drown the other
             real, imag = self._new(self.values.real), self._new(self.values.imag)
             return self._new(real._filter(multiplier).values + 1j * imag._filter(multiplier).values)

@@ -15,107 +15,74 @@ sin u, cos u   k s_k = Σ_{j≥1} j u_j c_{k-j},   k c_k = -Σ_{j≥1} j u_j s_{
 =============  ==========================================================================
 
 (Knuth, TAOCP 2, 4.7; the prime is d/dλ.)  A solver changes the last few coefficients of the
-unknowns again and again.  :meth:`Expansion.forget` makes every node drop what depends on them; the
-*deep* part of each sum, which uses settled coefficients only, is kept, so that a second look at an
-order costs a handful of products.
+unknowns again and again.  :meth:`ftseries.expansion.Expansion.forget` makes every node drop what
+depends on them; the *deep* part of each sum, which uses settled coefficients only, is kept, so that
+a second look at an order costs a handful of products.
 """
 
+from __future__ import annotations
+
 from functools import cache
+from typing import TYPE_CHECKING, TypeAlias
 
 from flint import fmpq
 
+from .aliases import Exact, Function, Multiplier, Number, Term
 from .errors import InputError
 from .trig import rational
 
-__all__ = ["Expansion", "Series", "exp", "sin", "cos"]
+if TYPE_CHECKING:
+    from .expansion import Expansion
+
+__all__ = ["Series", "exp", "sin", "cos"]
+
+#: what stands beside a series in a formula: another one, or a number
+Operand: TypeAlias = "Series | Exact"
 
 #: orders from either end of a Cauchy sum that are summed anew after a change
 WINDOW = 3
 
 
-class Expansion:
-    """The graph of all series built over one ring; it makes constants, λ and unknowns."""
-
-    def __init__(self, ring):
-        self.ring, self.nodes, self.pairs = ring, [], {}
-
-    def polynomial(self, coefficients):
-        """The known series with Taylor coefficients given as a list of ``{(sine, n): number}``."""
-        return Polynomial(self, [self.ring.from_modes(c) for c in coefficients])
-
-    def constant(self, number):
-        return self.polynomial([{(0, 0): self.ring.number(number)}])
-
-    def parameter(self, name):
-        """A named parameter of a :class:`ftseries.laurent.PolynomialRing`."""
-        if name not in self.ring.names:
-            raise InputError(f"{name!r} is not a parameter of this problem; list it in its "
-                             "attribute 'parameters'")
-        return self.polynomial([{(0, 0): self.ring.parameter(name)}])
-
-    def cos(self, n):
-        """The known function cos nτ."""
-        return self.polynomial([{(0, n): self.ring.number(1)}])
-
-    def sin(self, n):
-        """The known function sin nτ."""
-        return self.polynomial([{(1, n): self.ring.number(1)}])
-
-    @property
-    def lam(self):
-        """The series parameter λ itself."""
-        return self.polynomial([{}, {(0, 0): self.ring.number(1)}])
-
-    def unknown(self):
-        """A series whose coefficients are set from outside; those not yet set are zero."""
-        return Unknown(self)
-
-    def forget(self, k):
-        """Drop the coefficients of order ≥ k of every node that computes its own."""
-        for node in self.nodes:
-            node.forget(k)
-
-
 class Series:
     """A Fourier-Taylor series; ``u[k]`` is the Taylor coefficient of order k."""
 
-    def __init__(self, expansion):
+    def __init__(self, expansion: Expansion) -> None:
         self.expansion, self.ring = expansion, expansion.ring
         self.table = self.ring.table()
         expansion.nodes.append(self)
 
-    def __getitem__(self, k):
+    def __getitem__(self, k: int) -> Term:
         while len(self.table) <= k:
             self.table.append(self.step(len(self.table)))
         return self.table[k]
 
-    def step(self, k):
+    def step(self, k: int) -> Term:
         """Coefficient k from lower ones and from the operands."""
         raise NotImplementedError
 
-    def forget(self, k):
+    def forget(self, k: int) -> None:
         self.table.cut(k)
 
-    def __add__(self, other):
+    def __add__(self, other: Operand) -> Series:
         return Sum(self, self._series(other))
 
     __radd__ = __add__
 
-    def __neg__(self):
+    def __neg__(self) -> Series:
         return self * -1
 
-    def __sub__(self, other):
+    def __sub__(self, other: Operand) -> Series:
         return self + -self._series(other)
 
-    def __rsub__(self, other):
+    def __rsub__(self, other: Operand) -> Series:
         return self._series(other) + -self
 
-    def __mul__(self, other):
+    def __mul__(self, other: Operand) -> Series:
         return Product(self, other) if isinstance(other, Series) else Multiple(self, other)
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other):
+    def __truediv__(self, other: Operand) -> Series:
         if isinstance(other, Series):
             return self * other**-1
         number = rational(other)
@@ -123,10 +90,10 @@ class Series:
             raise InputError("a series is divided by the number zero")
         return Multiple(self, 1 / number)
 
-    def __rtruediv__(self, other):
+    def __rtruediv__(self, other: Operand) -> Series:
         return self**-1 * other
 
-    def __pow__(self, alpha):
+    def __pow__(self, alpha: Exact) -> Series:
         alpha = rational(alpha)
         if alpha.q == 1 and alpha > 0:
             if alpha == 1:
@@ -135,45 +102,45 @@ class Series:
             return half * half * self if alpha.p % 2 else half * half
         return self._series(1) if alpha == 0 else Power(self, alpha)
 
-    def diff(self, times=1):
+    def diff(self, times: int = 1) -> Series:
         """The derivative d/dτ, or one of higher order."""
         if times not in DERIVATIVES:
             raise InputError(f"a derivative of order {times!r} is not offered; use 1 or 2")
         return ModeMultiple(self, DERIVATIVES[times])
 
-    def shift(self, fraction):
+    def shift(self, fraction: Exact) -> Series:
         """The series at τ + 2π·fraction, for a rational fraction of a period."""
         fraction = rational(fraction)
         return ModeMultiple(self, lambda n, ring: ring.turn(fraction * n))
 
-    def neighbours(self, bodies=3):
+    def neighbours(self, bodies: int = 3) -> Series:
         """The sum of the series at τ + 2πj/bodies, j = 1 … bodies-1: what the others of a
         choreography contribute.  Mode n is multiplied by bodies - 1 if bodies divides n, else
         by -1, so it is rational although the single shifts are not."""
         return ModeMultiple(self, _neighbours(bodies))
 
-    def sin(self):
+    def sin(self) -> Series:
         return self._sincos()[0]
 
-    def cos(self):
+    def cos(self) -> Series:
         return self._sincos()[1]
 
-    def exp(self):
+    def exp(self) -> Series:
         return Exp(self)
 
-    def _sincos(self):
+    def _sincos(self) -> tuple[Series, Series]:
         pairs = self.expansion.pairs
         if self not in pairs:
             s, c = pairs[self] = SinCos(self, True), SinCos(self, False)
             s.partner, c.partner = c, s
         return pairs[self]
 
-    def _series(self, x):
+    def _series(self, x: Operand) -> Series:
         return x if isinstance(x, Series) else self.expansion.constant(x)
 
 
 @cache
-def _neighbours(bodies):
+def _neighbours(bodies: int) -> Multiplier:
     return lambda n, ring: (bodies - 1 if n % bodies == 0 else -1, 0)
 
 
@@ -181,79 +148,49 @@ def _neighbours(bodies):
 DERIVATIVES = {1: lambda n, ring: (0, n), 2: lambda n, ring: (-n * n, 0)}
 
 
-class Unknown(Series):
-    """Coefficients set from outside."""
-
-    def set(self, k, trig):
-        """Give coefficient k; the caller forgets what depends on it."""
-        self.table.cut(k)
-        self[k - 1] if k else None
-        self.table.append(trig)
-
-    def step(self, k):
-        return self.ring.from_modes({})
-
-    def forget(self, k):
-        pass
-
-
-class Polynomial(Series):
-    """Finitely many known coefficients."""
-
-    def __init__(self, expansion, coefficients):
-        super().__init__(expansion)
-        self.coefficients = coefficients
-
-    def step(self, k):
-        known = self.coefficients
-        return known[k] if k < len(known) else self.ring.from_modes({})
-
-    def forget(self, k):
-        pass
-
-
 class Sum(Series):
-    def __init__(self, a, b):
+    def __init__(self, a: Series, b: Series) -> None:
         super().__init__(a.expansion)
         self.a, self.b = a, b
 
-    def step(self, k):
+    def step(self, k: int) -> Term:
         return self.a[k] + self.b[k]
 
 
 class Multiple(Series):
-    def __init__(self, a, number):
+    def __init__(self, a: Series, number: Number) -> None:
         super().__init__(a.expansion)
         self.a, self.number = a, self.ring.number(number)
 
-    def step(self, k):
+    def step(self, k: int) -> Term:
         return self.a[k].scale(self.number)
 
 
 class ModeMultiple(Series):
     """Every Fourier mode multiplied by a number of its own: d/dτ, shifts."""
 
-    def __init__(self, a, multiplier):
+    def __init__(self, a: Series, multiplier: Multiplier) -> None:
         super().__init__(a.expansion)
         self.a, self.multiplier = a, multiplier
 
-    def step(self, k):
+    def step(self, k: int) -> Term:
         return self.a[k].multiply_modes(self.multiplier)
 
 
 class Convolution(Series):
     """A node that needs Cauchy sums Σ_{j=first}^{k} (α + β j) a_j b_{k-j}."""
 
-    def __init__(self, expansion):
+    def __init__(self, expansion: Expansion) -> None:
         super().__init__(expansion)
-        self.deep = {}
+        self.deep: dict[int, Term] = {}
 
-    def forget(self, k):
+    def forget(self, k: int) -> None:
         super().forget(k)
         for key in [key for key in self.deep if key >= k + WINDOW]:
             del self.deep[key]
 
-    def sum(self, a, b, k, first=0, alpha=1, beta=0):
+    def sum(self, a: Series, b: Series, k: int, first: int = 0, alpha: int = 1,
+            beta: int = 0) -> Term:
         a[k], b[k - first]
         low, high = WINDOW, k - WINDOW
         if high < low:
@@ -267,20 +204,20 @@ class Convolution(Series):
 
 
 class Product(Convolution):
-    def __init__(self, a, b):
+    def __init__(self, a: Series, b: Series) -> None:
         super().__init__(a.expansion)
         self.a, self.b = a, b
 
-    def step(self, k):
+    def step(self, k: int) -> Term:
         return self.sum(self.a, self.b, k)
 
 
 class Power(Convolution):
-    def __init__(self, u, alpha):
+    def __init__(self, u: Series, alpha: fmpq) -> None:
         super().__init__(u.expansion)
         self.u, self.alpha = u, alpha
 
-    def step(self, k):
+    def step(self, k: int) -> Term:
         if k == 0:
             first = self.u[0].power(self.alpha)
             self.inverse = self.u[0].power(-1)
@@ -293,11 +230,11 @@ class Power(Convolution):
 
 
 class Exp(Convolution):
-    def __init__(self, u):
+    def __init__(self, u: Series) -> None:
         super().__init__(u.expansion)
         self.u = u
 
-    def step(self, k):
+    def step(self, k: int) -> Term:
         if k == 0:
             return self.u[0].exp()
         return self.sum(self.u, self, k, 1, 0, 1).scale(self.ring.number(fmpq(1, k)))
@@ -306,27 +243,28 @@ class Exp(Convolution):
 class SinCos(Convolution):
     """sin u or cos u; each keeps the other as ``partner``."""
 
-    def __init__(self, u, sine):
+    def __init__(self, u: Series, sine: bool) -> None:
         super().__init__(u.expansion)
-        self.u, self.sine, self.partner = u, sine, None
+        self.u, self.sine = u, sine
+        self.partner: Series = self
 
-    def step(self, k):
+    def step(self, k: int) -> Term:
         if k == 0:
             return self.u[0].sincos()[0 if self.sine else 1]
         sign = 1 if self.sine else -1
         return self.sum(self.u, self.partner, k, 1, 0, sign).scale(self.ring.number(fmpq(1, k)))
 
 
-def sin(u):
+def sin(u: Function) -> Function:
     """sin u of a series that vanishes at λ = 0."""
     return u.sin()
 
 
-def cos(u):
+def cos(u: Function) -> Function:
     """cos u of a series that vanishes at λ = 0."""
     return u.cos()
 
 
-def exp(u):
+def exp(u: Function) -> Function:
     """exp u of a series that vanishes at λ = 0."""
     return u.exp()

@@ -8,22 +8,33 @@ unknown as a dict ``{(sine, n): number}``, in the solver's units (see ``Problem.
 Zero coefficients are left out; a scalar keeps its number under (0, 0).
 """
 
+from __future__ import annotations
+
 import operator
-from functools import lru_cache
+from collections.abc import Callable, Mapping
+from functools import lru_cache, partial
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import mpmath
 import numpy as np
 import sympy as sp
-from flint import arb, ctx
+from flint import arb, ctx, fmpq
 
 from . import display, evaluation, storage
+from .aliases import Array, ArrayLike, Coefficients, FilePath, Mode, Number, Real
 from .conversion import at, to_ball, to_float, to_mpf, to_sympy
 from .errors import InputError
-from .problem import Scalar
+from .problem import Field, Scalar
 from .quality import Quality
 from .trig import rational
 
+if TYPE_CHECKING:
+    from .problem import Problem
+
 __all__ = ["Solution", "load"]
+
+#: the values of free parameters, hashable
+Values: TypeAlias = tuple[tuple[str, float], ...]
 
 
 class Solution(Quality):
@@ -42,21 +53,22 @@ class Solution(Quality):
         Bits, in ball arithmetic.
     """
 
-    def __init__(self, problem, arithmetic, order, coefficients, precision=None):
+    def __init__(self, problem: Problem, arithmetic: str, order: int, coefficients: Coefficients,
+                 precision: int | None = None) -> None:
         self.problem, self.arithmetic, self.order = problem, arithmetic, order
         self.coefficients, self.precision = coefficients, precision
         self._table = lru_cache(maxsize=64)(self._make_table)
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         """Pickled like a saved file, so that solutions travel between processes."""
         return _restored, (self.problem, self.arithmetic, self.order,
                            storage.encoded(self.coefficients), self.precision)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         bits = f", precision={self.precision}" if self.precision else ""
         return f"<Solution of {self.problem!r}, order {self.order}, {self.arithmetic}{bits}>"
 
-    def coefficient(self, name, *orders, sine=None):
+    def coefficient(self, name: str, *orders: int, sine: bool | None = None) -> Any:
         """One coefficient: ``coefficient("x", n, m)`` of a field, ``coefficient("omega", m)``.
 
         Parameters
@@ -84,18 +96,18 @@ class Solution(Quality):
         if len(orders) != (1 if scalar else 2):
             raise InputError(f"{name!r} takes {'its Taylor order m' if scalar else 'n and m'}: "
                              f"coefficient({name!r}, {'m' if scalar else 'n, m'}), not {orders!r}")
-        orders = [self._order(o) for o in orders]
-        n, m = (0, *orders) if scalar else orders
+        n, m = [0, *map(self._order, orders)][-2:]
         if m > self.order:
             raise InputError(f"{name!r} is known to order {self.order}, not to {m}; solve again "
                              f"with order={m}")
-        if not scalar and sine is None:
+        if isinstance(unknown, Field) and sine is None:
             if unknown.series == "both" and n:
                 raise InputError(f"{name!r} has cosines and sines; say sine=True or sine=False")
             sine = unknown.series == "sin"
         return self._in_unit(name, m, self.coefficients[name][m].get((int(bool(sine)), n)))
 
-    def evaluate(self, name, t=None, *, lam, dps=None, **parameters):
+    def evaluate(self, name: str, t: ArrayLike | None = None, *, lam: ArrayLike,
+                 dps: int | None = None, **parameters: ArrayLike) -> Real:
         """The value of an unknown at times t and parameter λ.
 
         Parameters
@@ -145,7 +157,7 @@ class Solution(Quality):
             result = self._evaluate_many(name, t, lam, values)
         return result[()] if np.ndim(result) else float(result)
 
-    def truncate(self, order):
+    def truncate(self, order: int) -> Solution:
         """The same solution cut at a lower Taylor order."""
         order = self._order(order)
         if order > self.order:
@@ -154,25 +166,25 @@ class Solution(Quality):
                         {name: rows[:order + 1] for name, rows in self.coefficients.items()},
                         self.precision)
 
-    def to_latex(self, name, order=None):
+    def to_latex(self, name: str, order: int | None = None) -> str:
         """The series of one unknown as LaTeX, cut at Taylor order ``order``."""
         return display.to_latex(self, name, min(self.order, 6) if order is None else order)
 
-    def _repr_latex_(self):
+    def _repr_latex_(self) -> str:
         return display.summary(self)
 
-    def save(self, path):
+    def save(self, path: FilePath) -> None:
         """Write the solution as JSON; see :func:`ftseries.storage.save`."""
         storage.save(self, path)
 
-    def table(self, name, **parameters):
+    def table(self, name: str, **parameters: float) -> dict[Mode, list[float]]:
         """``{(sine, n): [A_{n,0}, A_{n,1}, …]}`` as floats in the paper's units."""
         self._unknown(name)
         self._check_parameters(parameters)
         values = tuple((k, float(evaluation.finite(k, v))) for k, v in parameters.items())
         return {mode: list(row) for mode, row in self._table(name, values).items()}
 
-    def _unknown(self, name):
+    def _unknown(self, name: str) -> Field | Scalar:
         try:
             return self.problem.unknowns[name]
         except (KeyError, TypeError):
@@ -180,7 +192,7 @@ class Solution(Quality):
                              f"{', '.join(map(repr, self.problem.unknowns))}") from None
 
     @staticmethod
-    def _order(order):
+    def _order(order: int) -> int:
         try:
             number = operator.index(order)
         except TypeError:
@@ -189,18 +201,18 @@ class Solution(Quality):
             raise InputError(f"order {order!r}: give a whole number of at least 0")
         return number
 
-    def _check_parameters(self, parameters):
+    def _check_parameters(self, parameters: Mapping[str, Any]) -> None:
         wanted = set(self.problem.parameters)
         if set(parameters) != wanted:
             needs = ", ".join(f"{p}=…" for p in sorted(wanted)) or "no parameters besides t and lam"
             given = ", ".join(sorted(parameters)) or "none"
             raise InputError(f"{self.problem!r} needs {needs}; given: {given}")
 
-    def _point(self, parameters):
+    def _point(self, parameters: Mapping[str, Any]) -> list[fmpq]:
         """The values of the free parameters, in their order, as rationals."""
         return [rational(parameters[p]) for p in self.problem.parameters]
 
-    def _in_unit(self, name, m, number):
+    def _in_unit(self, name: str, m: int, number: Number | None) -> Any:
         """A solver's number (or None for zero) in the paper's unit and the caller's type."""
         unit = sp.sympify(self.problem.unit(name, m))
         if self.arithmetic == "exact":
@@ -210,11 +222,11 @@ class Solution(Quality):
                              "solve with arithmetic='exact'")
         if self.arithmetic == "float":
             return 0.0 if number is None else float(unit) * number
-        with ctx.workprec(self.precision):
+        with ctx.workprec(self.precision or ctx.prec):
             return arb(0) if number is None else to_ball(unit) * number
 
-    def _make_table(self, name, parameters):
-        table = {}
+    def _make_table(self, name: str, parameters: Values) -> dict[Mode, Array]:
+        table: dict[Mode, Array] = {}
         point = self._point(dict(parameters))
         for m, row in enumerate(self.coefficients[name]):
             unit = sp.sympify(self.problem.unit(name, m))
@@ -227,7 +239,7 @@ class Solution(Quality):
                     unit * to_float(at(number, point)))
         return table
 
-    def _evaluate(self, name, t, lam, parameters):
+    def _evaluate(self, name: str, t: Array, lam: Array, parameters: Values) -> Array:
         table = self._table(name, parameters)
         evaluation.warn_outside(table, name, lam)
         amplitude = evaluation.amplitudes(table, lam)
@@ -238,7 +250,7 @@ class Solution(Quality):
             t = t * evaluation.amplitudes(frequency, lam)[0, 0]
         return evaluation.fourier_sum(amplitude, t + 0 * lam)
 
-    def _evaluate_many(self, name, t, lam, values):
+    def _evaluate_many(self, name: str, t: Array, lam: Array, values: dict[str, Array]) -> Array:
         arrays = np.broadcast_arrays(t, lam, *values.values())
         result = np.empty(arrays[0].shape)
         points = np.stack([a.ravel() for a in arrays[2:]], axis=1)
@@ -249,7 +261,8 @@ class Solution(Quality):
                                           tuple(zip(values, map(float, point))))
         return result
 
-    def _evaluate_mp(self, name, t, lam, dps, parameters):
+    def _evaluate_mp(self, name: str, t: Any, lam: Any, dps: int,
+                     parameters: Mapping[str, Any]) -> Any:
         if isinstance(dps, bool) or not isinstance(dps, int) or dps < 1:
             raise InputError(f"dps={dps!r}: give the number of decimal digits, at least 1")
         if any(np.ndim(value) for value in parameters.values()):
@@ -258,13 +271,13 @@ class Solution(Quality):
         evaluation.warn_outside(self._table(name, floats), name, np.asarray(lam, dtype=float))
         point = self._point(parameters)
 
-        def rows(which):
-            table = {}
+        def rows(which: str) -> evaluation.MpTable:
+            table: evaluation.MpTable = {}
             for m, row in enumerate(self.coefficients[which]):
                 unit = sp.lambdify((), sp.sympify(self.problem.unit(which, m)), "mpmath")
                 for mode, number in row.items():
-                    table.setdefault(mode, [mpmath.mpf] * (self.order + 1))[m] = (
-                        lambda unit=unit, number=number: unit() * to_mpf(at(number, point)))
+                    table.setdefault(mode, [mpmath.mpf] * (self.order + 1))[m] = partial(
+                        _product, unit, at(number, point))
             return table
 
         frequency = self.problem.frequency
@@ -274,12 +287,18 @@ class Solution(Quality):
                                       t, lam, dps)
 
 
-def _restored(problem, arithmetic, order, coefficients, precision):
+def _product(unit: Callable[[], Any], number: Number) -> Any:
+    """A coefficient as an mpmath number at the working precision."""
+    return unit() * to_mpf(number)
+
+
+def _restored(problem: Problem, arithmetic: str, order: int, coefficients: Any,
+              precision: int | None) -> Solution:
     return Solution(problem, arithmetic, order,
                     storage.decoded(coefficients, problem, arithmetic), precision)
 
 
-def load(path, problem=None):
+def load(path: FilePath, problem: Problem | None = None) -> Solution:
     """Read a solution written by :meth:`Solution.save`.
 
     Parameters

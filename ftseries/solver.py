@@ -16,22 +16,32 @@ The structure (kernel, settling) is always found in exact arithmetic; ``float`` 
 on from the exact first orders.
 """
 
+from __future__ import annotations
+
 import math
 import operator
 import os
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from flint import ctx, fmpq
 from tqdm import tqdm
 
+from .aliases import Coefficients, Column, Number, Row, Vector
 from .errors import ContradictionError, InputError, SolveError, UndeterminedError
+from .expansion import Expansion
 from .grid import FloatRing
 from .laurent import BallRing, PolynomialRing, RationalRing, SurdRing
 from .linear import Elimination, Family, LinearPart
 from .problem import Problem
-from .series import Expansion
 from .solution import Solution
 
+if TYPE_CHECKING:
+    from .trig import Ring
+
 __all__ = ["solve"]
+
+#: what is to be added to the unknowns, by Taylor order
+Changes: TypeAlias = dict[int, dict[Column, Number]]
 
 #: how many orders late a coordinate may be settled
 LATEST = 4
@@ -39,7 +49,8 @@ LATEST = 4
 LEAD = 2 * LATEST
 
 
-def solve(problem, order, arithmetic="exact", precision=128, progress=True):
+def solve(problem: Problem, order: int, arithmetic: str = "exact", precision: int = 128,
+          progress: bool = True) -> Solution:
     """The Fourier-Taylor series that solves ``problem``, up to Taylor order ``order``.
 
     Parameters
@@ -90,7 +101,7 @@ def solve(problem, order, arithmetic="exact", precision=128, progress=True):
                          f"{type(problem).__name__}")
     seed = problem.first_coefficients()
     _check_memory(problem, order, arithmetic, precision)
-    ring = _exact_ring(problem)
+    ring: Ring = _exact_ring(problem)
     known = _converted(seed, ring)
     asked, order = order, max(order, *(len(rows) for rows in seed.values()))    # checks the seed
     linear = LinearPart(problem, ring, known, order + LATEST + problem.ahead)
@@ -117,17 +128,17 @@ def solve(problem, order, arithmetic="exact", precision=128, progress=True):
                     precision if arithmetic == "ball" else None).truncate(asked)
 
 
-def _exact_ring(problem):
+def _exact_ring(problem: Problem) -> PolynomialRing | RationalRing:
     if problem.surd:
         return SurdRing(problem.parameters)
     return PolynomialRing(problem.parameters) if problem.parameters else RationalRing()
 
 
-def _without_surd(known, problem):
+def _without_surd(known: Coefficients, problem: Problem) -> Coefficients:
     """The coefficients without the variable √3, which has to cancel in the end."""
-    target = PolynomialRing(problem.parameters) if problem.parameters else RationalRing()
+    target = PolynomialRing(problem.parameters)
 
-    def plain(name, m, c):
+    def plain(name: str, m: int, c: Number) -> Number:
         terms = c.to_dict()
         if any(exponents[-1] for exponents in terms):
             raise SolveError(f"a coefficient of {name} at order {m} contains √3 ({c}); choose the "
@@ -139,7 +150,7 @@ def _without_surd(known, problem):
                    for m, row in enumerate(rows)] for name, rows in known.items()}
 
 
-def _converted(known, ring):
+def _converted(known: Coefficients, ring: Ring) -> Coefficients:
     return {name: [{mode: ring.number(c) for mode, c in row.items()} for row in rows]
             for name, rows in known.items()}
 
@@ -147,7 +158,8 @@ def _converted(known, ring):
 class _Stages:
     """The state of one solve over one ring; ``known`` is extended in place."""
 
-    def __init__(self, problem, linear, ring, known, order):
+    def __init__(self, problem: Problem, linear: LinearPart, ring: Ring, known: Coefficients,
+                 order: int) -> None:
         self.problem, self.linear, self.ring = problem, linear, ring
         self.known, self.order = known, order
         self.expansion = Expansion(ring)
@@ -156,13 +168,13 @@ class _Stages:
         self.elimination = linear.elimination
         if not isinstance(ring, RationalRing):
             self.elimination = self.elimination.converted(ring.number)
-        self.open = []                                  # pairs (order it starts at, Family)
+        self.open: list[tuple[int, Family]] = []        # (the order it starts at, Family)
         self.start = min(len(rows) for rows in known.values())
         for name, rows in known.items():
             for k, row in enumerate(rows):
                 self.unknowns[name].set(k, ring.from_modes(row))
 
-    def run(self, bar, fresh=True):
+    def run(self, bar: Any, fresh: bool = True) -> None:
         """All stages; a ``fresh`` run also checks the seed and opens what it leaves free."""
         for k in range(self.start if fresh else 0):
             self.open_kernel(k)
@@ -177,7 +189,7 @@ class _Stages:
         for rows in self.known.values():
             del rows[self.order + 1:]
 
-    def stage(self, k):
+    def stage(self, k: int) -> None:
         self.expansion.forget(k)
         for name, rows in self.known.items():
             if len(rows) <= k:
@@ -196,7 +208,7 @@ class _Stages:
                            "seed or the ansatz, or the first orders are non-linear: then give a "
                            "longer seed")
 
-    def residual(self, k):
+    def residual(self, k: int) -> dict[Row, Number]:
         """The rows of R_{k+s}."""
         rows = {}
         for e, (series, shift) in enumerate(zip(self.residuals, self.linear.shifts)):
@@ -205,7 +217,7 @@ class _Stages:
                     rows[e, sine, n] = c
         return rows
 
-    def settle(self, k, left, changes):
+    def settle(self, k: int, left: dict[Row, Number], changes: Changes) -> None:
         """Fix open coordinates so that ``left`` vanishes; add what follows to ``changes``."""
         number = self.ring.number
         effects = {i: family.effect(k - start) for i, (start, family) in enumerate(self.open)}
@@ -227,12 +239,13 @@ class _Stages:
                     "concrete meaning yet; fix an amplitude ('fixed' in its Field) or add the "
                     "equation that defines λ")
 
-    def combined(self, vector, k):
+    def combined(self, vector: Vector, k: int) -> tuple[int, Family]:
         """The open direction Σ vector_i · (direction i); a single one is kept as it is."""
         if len(vector) == 1:
-            return self.open[next(iter(vector))]
+            (only,) = vector
+            return self.open[int(only)]
         first = min(self.open[i][0] for i in vector)
-        terms = [{} for _ in range(k - first + 1)]
+        terms: list[Vector] = [{} for _ in range(k - first + 1)]
         for i, weight in vector.items():
             start, family = self.open[i]
             for j, term in enumerate(family.terms[:k - start + 1]):
@@ -241,7 +254,7 @@ class _Stages:
                     row[column] = row.get(column, fmpq(0)) + weight * c
         return first, Family(self.linear, terms)
 
-    def apply(self, changes, k):
+    def apply(self, changes: Changes, k: int) -> set[int]:
         """Add ``changes`` to the unknowns; the orders that were touched."""
         touched, scale = set(), self.scale(k)
         for m, update in changes.items():
@@ -269,13 +282,13 @@ class _Stages:
                 touched.add(m)
         return touched
 
-    def open_kernel(self, k):
+    def open_kernel(self, k: int) -> None:
         """Kernel coordinates that order k leaves free."""
         for family in self.linear.families:
             if all(self.problem.allowed(name, n, k) for name, _, n in family.terms[0]):
                 self.open.append((k, family))
 
-    def verify(self, k, message):
+    def verify(self, k: int, message: str) -> None:
         residual = self.residual(k)                     # evaluates the nodes that scale looks at
         scales = [self.scale(k + shift) for shift in self.linear.shifts]
         for (e, sine, n), c in residual.items():
@@ -288,7 +301,7 @@ class _Stages:
                     name=self.linear.names[e], order=k + self.linear.shifts[e],
                     mode=f"{'sin' if sine else 'cos'} {n}τ"))
 
-    def scale(self, order):
+    def scale(self, order: int) -> float:
         """The size of the terms of this order, for the rounding of the float ring."""
         if self.ring.exact:
             return 0
@@ -296,13 +309,13 @@ class _Stages:
                     for row in node.table[order].parts.values()), default=0.0)
 
 
-def _label(problem, name, sine, n, m):
+def _label(problem: Problem, name: str, sine: int, n: int, m: int) -> str:
     if not hasattr(problem.unknowns[name], "series"):
         return f"the coefficient {name}_{m}"
     return f"the coefficient of {'sin' if sine else 'cos'} {n}τ in {name} at order {m} of λ"
 
 
-def _whole(name, value, least):
+def _whole(name: str, value: Any, least: int) -> int:
     try:
         number = operator.index(value)
     except TypeError:
@@ -313,7 +326,7 @@ def _whole(name, value, least):
     return number
 
 
-def _check_memory(problem, order, arithmetic, precision):
+def _check_memory(problem: Problem, order: int, arithmetic: str, precision: int) -> None:
     """Refuse an order whose tables cannot fit: about (nodes · order²/2) numbers."""
     nodes = 24 * len(problem.unknowns)
     size = {"float": 8, "exact": 64, "ball": 64 + precision // 4}[arithmetic]

@@ -2,27 +2,39 @@
 
 Format 1: ``{"format": "ftseries", "version": 1, "problem": {"name", "arguments"}, "arithmetic",
 "order", "precision", "coefficients": {unknown: [[[sine, n, number], …] for each Taylor order]},
-"sha256"}``, the last one of everything else, so that no damage goes unnoticed.
-A rational is "p/q", a polynomial a dict from exponents "i,j" to rationals, a ball the four integers
-[midpoint mantissa, exponent, radius mantissa, exponent]; FLINT reads the radius back with an upward
-rounding of 2^-30, so the ball still encloses what it did.
+"sha256"}``, see :mod:`ftseries.jsonfile`.  A rational is "p/q", a polynomial a dict from exponents
+"i,j" to rationals, a ball the four integers [midpoint mantissa, exponent, radius mantissa,
+exponent]; FLINT reads the radius back with an upward rounding of 2^-30, so the ball still encloses
+what it did.
 """
 
-import hashlib
-import json
+from __future__ import annotations
+
 import os
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, TypeAlias
 
-from flint import arb, fmpq
+from flint import arb, fmpq, fmpq_mpoly
 
+from . import jsonfile
+from .aliases import Coefficients, FilePath, Json, Number
 from .errors import FileError, InputError
 from .laurent import PolynomialRing
 from .problem import Problem
 from .trig import rational
 
+if TYPE_CHECKING:
+    from .solution import Solution
+
 __all__ = ["save", "read", "encoded", "decoded"]
 
+#: problem, arithmetic, order, coefficients and precision of a solution
+Contents: TypeAlias = tuple[Problem, str, int, Coefficients, int | None]
 
-def save(solution, path):
+_KIND = "ftseries"
+
+
+def save(solution: Solution, path: FilePath) -> None:
     """Write a solution; the file appears complete or not at all.
 
     Raises
@@ -31,67 +43,37 @@ def save(solution, path):
         The folder does not exist or cannot be written.
     """
     data = {
-        "format": "ftseries", "version": 1,
         "problem": {"name": type(solution.problem).__name__,
                     "arguments": solution.problem.arguments()},
         "arithmetic": solution.arithmetic, "order": solution.order,
         "precision": solution.precision,
         "coefficients": encoded(solution.coefficients),
     }
-    path = os.fspath(path)
     try:
-        text = json.dumps(data | {"sha256": _digest(data)})
+        jsonfile.write(path, _KIND, data)
     except (TypeError, ValueError):
-        raise FileError(f"cannot write {path!r}: the arguments of {solution.problem!r} are not "
-                        "plain JSON values; make its method 'arguments' return such") from None
-    temporary = f"{path}.{os.getpid()}.part"
-    try:
-        with open(temporary, "w", encoding="utf-8") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(temporary, path)
-    except OSError as error:
-        raise FileError(f"cannot write {path!r}: {error.strerror}; choose another place") from error
-    finally:
-        if os.path.exists(temporary):
-            os.unlink(temporary)
+        raise FileError(f"cannot write {os.fspath(path)!r}: the arguments of {solution.problem!r} "
+                        "are not plain JSON values; make its method 'arguments' return such"
+                        ) from None
 
 
-def _digest(data):
-    return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()
-
-
-def read(path, problem=None):
+def read(path: FilePath, problem: Problem | None = None) -> Contents:
     """What :class:`ftseries.Solution` is made of, from a file written by :func:`save`."""
-    path = os.fspath(path)
-    try:
-        with open(path, encoding="utf-8") as file:
-            data = json.load(file)
-    except OSError as error:
-        raise FileError(f"cannot read {path!r}: {error.strerror}") from error
-    except (ValueError, RecursionError) as error:
-        raise FileError(f"{path!r} is damaged or not JSON ({error}); save it again") from None
-    if not isinstance(data, dict) or data.get("format") != "ftseries":
-        raise FileError(f"{path!r} is not a saved ftseries solution")
-    if data.get("version") != 1:
-        raise FileError(f"{path!r} has format version {data.get('version')!r}; this reads 1")
-    if data.pop("sha256", None) != _digest(data):
-        raise FileError(f"{path!r} is damaged: its contents do not match their checksum; save the "
-                        "solution again")
+    data = jsonfile.read(path, _KIND, "a saved ftseries solution", "save the solution again")
     try:
         return _contents(data, problem)
     except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError) as error:
-        raise FileError(f"{path!r} is damaged: {error}; save the solution again") from None
+        raise FileError(f"{os.fspath(path)!r} is damaged: {error}; save the solution again"
+                        ) from None
 
 
-def encoded(coefficients):
+def encoded(coefficients: Coefficients) -> Json:
     """Coefficients as plain JSON values."""
     return {name: [[[*mode, _encode(c)] for mode, c in sorted(row.items())] for row in rows]
             for name, rows in coefficients.items()}
 
 
-def decoded(coefficients, problem, arithmetic):
+def decoded(coefficients: Json, problem: Problem, arithmetic: str) -> Coefficients:
     """The coefficients again; what belongs to no unknown of the problem is not read."""
     decode = {"exact": _polynomial(problem.parameters) if problem.parameters else _rational,
               "float": float, "ball": _ball}[arithmetic]
@@ -99,7 +81,7 @@ def decoded(coefficients, problem, arithmetic):
             for name in problem.unknowns}
 
 
-def _contents(data, problem):
+def _contents(data: dict[str, Json], problem: Problem | None) -> Contents:
     name, arguments = data["problem"]["name"], data["problem"]["arguments"]
     if problem is None:
         if name not in Problem.classes:
@@ -118,7 +100,7 @@ def _contents(data, problem):
     return problem, arithmetic, order, coefficients, data["precision"]
 
 
-def _encode(number):
+def _encode(number: Number) -> Json:
     if isinstance(number, float):
         return number
     if isinstance(number, fmpq):
@@ -129,21 +111,21 @@ def _encode(number):
             for exponents, c in number.to_dict().items()}
 
 
-def _rational(text):
+def _rational(text: str) -> fmpq:
     if not isinstance(text, str):
         raise ValueError(f"{text!r} is not an exact number")
     return rational(text)
 
 
-def _ball(parts):
+def _ball(parts: list[str]) -> arb:
     m, e, r, f = (int(x) for x in parts)
     return arb((m, e), (r, f))
 
 
-def _polynomial(names):
+def _polynomial(names: Sequence[str]) -> Callable[[dict[str, str]], fmpq_mpoly]:
     ring = PolynomialRing(names)
 
-    def decode(terms):
+    def decode(terms: dict[str, str]) -> fmpq_mpoly:
         return ring.context.from_dict({(0, *map(int, exponents.split(","))): rational(c)
                                        for exponents, c in terms.items()})
     return decode

@@ -1,11 +1,19 @@
 """A family of problems in bulk: one solve for each value, on any executor."""
 
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import as_completed
+from typing import TYPE_CHECKING, Any
 
 from tqdm import tqdm
 
 from .errors import FTSeriesError, InputError
 from .solver import solve
+
+if TYPE_CHECKING:
+    from .problem import Problem
+    from .solution import Solution
 
 __all__ = ["Failure", "sweep"]
 
@@ -21,17 +29,18 @@ class Failure:
         Why there is no solution.
     """
 
-    def __init__(self, value, error):
+    def __init__(self, value: Any, error: Exception) -> None:
         self.value, self.error = value, error
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         return False
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<no solution at {self.value!r}: {type(self.error).__name__}: {self.error}>"
 
 
-def sweep(make_problem, values, order, executor=None, progress=True, **options):
+def sweep(make_problem: Callable[[Any], Problem], values: Iterable[Any], order: int,
+          executor: Any = None, progress: bool = True, **options: Any) -> list[Solution | Failure]:
     """Solve a problem for many parameter values.
 
     Parameters
@@ -68,7 +77,7 @@ def sweep(make_problem, values, order, executor=None, progress=True, **options):
     if executor is not None and not hasattr(executor, "submit"):
         raise InputError(f"executor={executor!r} has no method submit; give one like those of "
                          "concurrent.futures")
-    results = [None] * len(values)
+    results: list[Any] = [None] * len(values)
     with tqdm(total=len(values), desc="sweep", delay=10, leave=False, disable=not progress) as bar:
         if executor is None:
             for i, value in enumerate(values):
@@ -87,14 +96,15 @@ def sweep(make_problem, values, order, executor=None, progress=True, **options):
     return results
 
 
-def _completed(futures):
+def _completed(futures: Iterable[Any]) -> Iterator[Any]:
     try:
         yield from as_completed(futures)
     except (AttributeError, TypeError):              # futures of another library, asked in order
         yield from futures
 
 
-def _one(make_problem, value, order, options):
+def _one(make_problem: Callable[[Any], Problem], value: Any, order: int,
+         options: dict[str, Any]) -> Solution | Failure:
     try:
         return solve(make_problem(value), order, progress=False, **options)
     except FTSeriesError as error:

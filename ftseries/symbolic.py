@@ -6,14 +6,20 @@ c λ^m cos nωt and c λ^m sin nωt, that of a scalar a sum of c λ^m; an irrati
 the unit in which the unknown is measured.
 """
 
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
 import sympy as sp
 
+from .aliases import Expr, Function, Json, Mode
 from .errors import InputError, NonAnalyticError
+from .expansion import Expansion
 from .first_steps import first_steps
 from .laurent import PolynomialRing, SurdRing
 from .problem import Field, Problem, Scalar
 from .reading import Language, name_of
-from .series import Expansion
 from .translate import Translator, harmonic, lead, plain
 
 __all__ = ["Equations"]
@@ -63,8 +69,10 @@ class Equations(Problem):
     (3/8, 1/32)
     """
 
-    def __init__(self, equations, unknowns, seed=None, frequency=None, parameters=(), time="t",
-                 lam="lam", choice=None, ahead=0):
+    def __init__(self, equations: Any, unknowns: Mapping[Any, Any],
+                 seed: Mapping[Any, Any] | None = None, frequency: Any = None, parameters: Any = (),
+                 time: Any = "t", lam: Any = "lam", choice: int | None = None,
+                 ahead: int = 0) -> None:
         if not isinstance(unknowns, dict):
             raise InputError(f"unknowns={unknowns!r}: give a dict from each unknown to its Field "
                              "or Scalar")
@@ -90,21 +98,21 @@ class Equations(Problem):
         if seed is not None and choice is not None:
             raise InputError(f"choice={choice!r} selects one of the first steps that are solved "
                              "automatically; leave it out where a seed is given")
-        self.scales = {}
+        self.scales: dict[str, Expr] = {}
         self._translate()
         self._check_lead()
         self._set_seed(first_steps(self, choice) if seed is None else seed)
         self._translate()
         self._check_analytic()
 
-    def equations(self, lam, **unknowns):
+    def equations(self, lam: Function, **unknowns: Function) -> dict[str, Function]:
         env = {"lam": lam, **unknowns}
         return {name: build(env) for name, build in self._residuals.items()}
 
-    def scale(self, name):
+    def scale(self, name: str) -> Expr:
         return self.scales.get(name, sp.S.One)
 
-    def arguments(self):
+    def arguments(self) -> dict[str, Json]:
         plain_values = {name: vars(u) | {"kind": type(u).__name__} for name, u in
                         self.unknowns.items()}
         for values in plain_values.values():
@@ -114,36 +122,36 @@ class Equations(Problem):
                 "frequency": self.frequency, "parameters": list(self.parameters),
                 "time": self.variable, "lam": self.language.lam, "ahead": self.ahead}
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         return _again, (self.arguments(),)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"Equations({'; '.join(f'{text} = 0' for text in self._texts().values())})"
 
     @property
-    def delicate(self):
+    def delicate(self) -> list[str]:
         """The powers, exp, sin and cos of the equations that may not be analytic at λ = 0."""
         return [self.language.written(e) for _, e, _ in self._translator.delicate]
 
     @property
-    def forcing(self):
+    def forcing(self) -> set[Mode]:
         """The modes (sine, n) of the known functions in the equations."""
         omega = sp.Symbol(self.frequency) if self.frequency else sp.S.One
         waves = {(w, harmonic(w, sp.Symbol(self.variable), omega))
                  for e in self.expressions.values() for w in e.atoms(sp.sin, sp.cos)}
         return {(int(isinstance(w, sp.sin)), n) for w, n in waves if n}
 
-    def _texts(self):
+    def _texts(self) -> dict[str, str]:
         return {name: self.language.written(e) for name, e in self.expressions.items()}
 
-    def _translate(self):
+    def _translate(self) -> None:
         self._translator = Translator(self, self.language, self.scales)
         self._residuals = {n: self._translator.residual(e, n) for n, e in self.expressions.items()}
         self.surd = self._translator.surd
 
     # --- what is refused --------------------------------------------------------------------
 
-    def _check_count(self, fields):
+    def _check_count(self, fields: list[str]) -> None:
         number, total = len(self.expressions), len(self.unknowns)
         if not len(fields) <= number <= total:
             raise InputError(f"equations: {number}, fields: {len(fields)} "
@@ -158,7 +166,7 @@ class Equations(Problem):
             raise InputError(f"no equation contains {', '.join(silent)}; correct the equations or "
                              "leave that unknown out")
 
-    def _check_lead(self):
+    def _check_lead(self) -> None:
         for where, e in self.expressions.items():
             for term in sp.Add.make_args(sp.expand(e)):
                 excess = lead(term, self, self.language)
@@ -169,14 +177,14 @@ class Equations(Problem):
                         f"Fourier order n before the power {lam}**n, which n ≤ m + {self.ahead} "
                         f"leaves out; put a power of {lam} in front, or give a larger ahead")
 
-    def _check_analytic(self):
+    def _check_analytic(self) -> None:
         """Evaluate every power, exp, sin and cos at λ = 0 on the seed."""
         ring = (SurdRing if self.surd else PolynomialRing)(self.parameters)
-        expansion, env = Expansion(ring), {}
+        expansion = Expansion(ring)
+        env: dict[str, Function] = {"lam": expansion.lam}
         for name, rows in self.first_coefficients().items():
             env[name] = expansion.unknown()
             env[name].set(0, ring.from_modes({k: ring.number(v) for k, v in rows[0].items()}))
-        env["lam"] = expansion.lam
         for where, e, build in self._translator.delicate:
             try:
                 build(env)[0]
@@ -186,7 +194,7 @@ class Equations(Problem):
 
     # --- the seed ----------------------------------------------------------------------------
 
-    def _set_seed(self, seed):
+    def _set_seed(self, seed: Any) -> None:
         """``self.seed`` and ``self.scales`` from expressions in λ and the modes."""
         if not isinstance(seed, dict):
             raise InputError(f"seed={seed!r}: give a dict from each unknown to its first terms, "
@@ -199,22 +207,21 @@ class Equations(Problem):
                                  f"{', '.join(self.unknowns)}")
             value = sp.expand(self.language.expression(value))
             self.seed_texts[name] = str(value)
-            rows = {}
+            terms: dict[int, dict[Mode, Expr]] = {}
             for term in sp.Add.make_args(value):
                 m, mode, c = self._seed_term(name, term)
-                row = rows.setdefault(m, {})
+                row = terms.setdefault(m, {})
                 if c != 0:
                     row[mode] = row.get(mode, 0) + c
-            rows = [rows.get(m, {}) for m in range(max(rows) + 1)]
+            rows = [terms.get(m, {}) for m in range(max(terms) + 1)]
             leading = next((c for row in rows for c in row.values() if c != 0), sp.S.One)
             if not leading.is_Rational:
                 self.scales[name] = leading
             rows = [{mode: self._in_scale(name, c) for mode, c in row.items()} for row in rows]
-            if isinstance(self.unknowns[name], Scalar):
-                rows = [row.get((0, 0), 0) for row in rows]
-            self.seed[name] = rows
+            scalar = isinstance(self.unknowns[name], Scalar)
+            self.seed[name] = [row.get((0, 0), 0) for row in rows] if scalar else rows
 
-    def _seed_term(self, name, term):
+    def _seed_term(self, name: str, term: Expr) -> tuple[int, Mode, Expr]:
         """(Taylor order, mode, coefficient) of one term of a seed."""
         omega = sp.Symbol(self.frequency) if self.frequency else sp.S.One
         time, lam = (sp.Symbol(s) for s in (self.variable, self.language.lam))
@@ -236,7 +243,7 @@ class Equations(Problem):
                              f"{lam}**m{waves}")
         return m, mode or (0, 0), number
 
-    def _in_scale(self, name, c):
+    def _in_scale(self, name: str, c: Expr) -> Expr:
         number = plain(c / self.scale(name))
         if not number.is_Rational:
             raise InputError(f"the seed of {name} has the number {c} beside {self.scale(name)}, "
@@ -244,23 +251,23 @@ class Equations(Problem):
         return number
 
 
-def _again(arguments):
+def _again(arguments: dict[str, Json]) -> Equations:
     return Equations(**arguments)
 
 
-def _declared(key, unknown):
+def _declared(key: str, unknown: Any) -> Field | Scalar:
     """A Field or Scalar, also from its JSON form."""
     if isinstance(unknown, dict) and unknown.get("kind") in ("Field", "Scalar"):
         values = {k: v for k, v in unknown.items() if k != "kind"}
         if "fixed" in values:
             values["fixed"] = tuple(tuple(m) if isinstance(m, list) else m for m in values["fixed"])
-        return {"Field": Field, "Scalar": Scalar}[unknown["kind"]](**values)
-    if not isinstance(unknown, (Field, Scalar)):
-        raise InputError(f"the unknown {key} is {unknown!r}; declare it as a Field or a Scalar")
-    return unknown
+        return Field(**values) if unknown["kind"] == "Field" else Scalar(**values)
+    if isinstance(unknown, (Field, Scalar)):
+        return unknown
+    raise InputError(f"the unknown {key} is {unknown!r}; declare it as a Field or a Scalar")
 
 
-def _value(name, value):
+def _value(name: str, value: Any) -> Expr:
     try:
         number = sp.nsimplify(value, rational=True)
     except (sp.SympifyError, TypeError, ValueError, AttributeError):
@@ -271,7 +278,7 @@ def _value(name, value):
     return number
 
 
-def _ahead(ahead):
+def _ahead(ahead: Any) -> int:
     if isinstance(ahead, bool) or not isinstance(ahead, int) or ahead < 0:
         raise InputError(f"ahead={ahead!r}: give a whole number of at least 0")
     return ahead

@@ -16,17 +16,31 @@ scales, the function builds the rest from series.  Terms of a sum must have rati
 factors; anything else is refused by name.  No term is ever dropped.
 """
 
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, TypeAlias
+
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from .aliases import Expr, Function
 from .errors import InputError
 from .problem import Field, Scalar
 from .trig import rational
 
+if TYPE_CHECKING:
+    from .problem import Problem
+    from .reading import Language
+
 __all__ = ["Translator", "harmonic", "lead", "plain"]
 
+#: the series by name, λ among them as "lam"; what builds a function from them
+Environment: TypeAlias = dict[str, Function]
+Build: TypeAlias = Callable[[Environment], Function]
 
-def plain(number):
+
+def plain(number: Expr) -> Expr:
     """A SymPy number, written so that a rational one is seen to be rational.
 
     >>> plain(sp.sqrt(12) / sp.sqrt(3)), plain(sp.cbrt(3) / (2 * sp.Integer(3)**sp.Rational(-2, 3)))
@@ -37,7 +51,7 @@ def plain(number):
     return sp.radsimp(sp.powsimp(sp.simplify(number), force=True))
 
 
-def harmonic(wave, time, omega):
+def harmonic(wave: Expr, time: Expr, omega: Expr) -> int | None:
     """n in cos(nωt) or sin(nωt); None for anything else."""
     if not isinstance(wave, (sp.sin, sp.cos)):
         return None
@@ -57,13 +71,14 @@ class Translator:
         analytic at λ = 0.
     """
 
-    def __init__(self, problem, language, scales):
+    def __init__(self, problem: Problem, language: Language, scales: dict[str, Expr]) -> None:
         self.problem, self.language, self.scales = problem, language, scales
         self.time = sp.Symbol(language.time)
         self.omega = sp.Symbol(problem.frequency) if problem.frequency else sp.S.One
-        self.surd, self.delicate = False, []
+        self.surd = False
+        self.delicate: list[tuple[str, Expr, Build]] = []
 
-    def residual(self, e, where):
+    def residual(self, e: Expr, where: str) -> Build:
         """The function that builds the residual of an equation from series."""
         mentioned = {s.name for s in e.free_symbols} | {
             f.func.__name__ for f in e.atoms(AppliedUndef)}
@@ -72,7 +87,7 @@ class Translator:
                              "unknown; check what was declared")
         return self.build(e, where)[1]
 
-    def build(self, e, where):
+    def build(self, e: Expr, where: str) -> tuple[Expr, Build]:
         """(factor, function): e = factor · function(series)."""
         if not e.free_symbols and not e.atoms(AppliedUndef):
             if not e.is_finite or e.is_real is False:
@@ -96,7 +111,7 @@ class Translator:
                          "Fourier-Taylor series here; only + - * /, rational powers, exp, sin and "
                          "cos are known")
 
-    def _symbol(self, e, where):
+    def _symbol(self, e: Expr, where: str) -> tuple[Expr, Build]:
         name, problem = e.name, self.problem
         if name == self.language.lam:
             return sp.S.One, lambda env: env["lam"]
@@ -114,19 +129,19 @@ class Translator:
         raise InputError(f"equation {where} contains {name}, which is neither an unknown, a "
                          "parameter nor λ; declare it, or give it a value")
 
-    def _sum(self, e, where):
+    def _sum(self, e: Expr, where: str) -> tuple[Expr, Build]:
         parts = [self.build(arg, where) for arg in e.args]
         common = sp.S.One if all(factor.is_Rational for factor, _ in parts) else parts[0][0]
         weighted = []
-        for arg, (factor, build) in zip(e.args, parts, strict=True):
+        for arg, (factor, part) in zip(e.args, parts, strict=True):
             ratio = plain(factor / common)
             if not ratio.is_Rational:
                 first, other = map(self.language.written, (e.args[0], arg))
                 raise InputError(f"equation {where}: the term {other} differs from {first} by the "
                                  f"factor {ratio}, which is not rational; choose other units")
-            weighted.append((rational(ratio), build))
+            weighted.append((rational(ratio), part))
 
-        def build(env):
+        def build(env: Environment) -> Function:
             total = None
             for weight, part in weighted:
                 term = part(env)
@@ -138,19 +153,19 @@ class Translator:
             return total
         return common, build
 
-    def _power(self, e, where):
+    def _power(self, e: Expr, where: str) -> tuple[Expr, Build]:
         factor, inner = self.build(e.base, where)
         exponent = rational(e.exp)
         sign = -1 if factor.is_negative else 1              # (-2x)^(1/2) is 2^(1/2) (-x)^(1/2)
 
-        def build(env):
+        def build(env: Environment) -> Function:
             base = inner(env)
             return (base if sign == 1 else -base) ** exponent
         if exponent.q != 1 or exponent < 0:
             self.delicate.append((where, e, build))
         return (sign * factor) ** e.exp, build
 
-    def _field(self, e, where):
+    def _field(self, e: Expr, where: str) -> tuple[Expr, Build]:
         """u(t + c) or a time derivative of it."""
         times, inner, shift = 0, e, sp.S.Zero
         text = self.language.written(e) if not isinstance(e, sp.Derivative) else str(e)
@@ -177,17 +192,17 @@ class Translator:
         fraction, frequency = rational(turn), self.problem.frequency
         self.surd = self.surd or 4 % fraction.q != 0
 
-        def build(env):
+        def build(env: Environment) -> Function:
             series = env[name]
             if times:
                 series = series.diff(times)
                 if frequency:
                     series = env[frequency] ** times * series
             return series.shift(fraction) if fraction else series
-        speed = self.scales.get(frequency, sp.S.One) ** times
+        speed = self.scales[frequency] ** times if frequency in self.scales else sp.S.One
         return self.scales.get(name, sp.S.One) * speed, build
 
-    def _function(self, e, where):
+    def _function(self, e: Expr, where: str) -> tuple[Expr, Build]:
         which, n = type(e).__name__, harmonic(e, self.time, self.omega)
         if n:
             return sp.S.One, lambda env: getattr(env["lam"].expansion, which)(n)
@@ -203,14 +218,14 @@ class Translator:
                              f"the factor {factor}, which is not rational; choose other units")
         weight = rational(factor)
 
-        def apply(env):
+        def apply(env: Environment) -> Function:
             inner = build(env)
             return getattr(inner * weight if weight != 1 else inner, which)()
         self.delicate.append((where, e, apply))
         return sp.S.One, apply
 
 
-def lead(e, problem, language):
+def lead(e: Expr, problem: Problem, language: Language) -> Any:
     """How far the Fourier orders of the known functions in an expression run ahead of λ.
 
     λ^m cos nωt has n - m; the unknowns count 0.  Sums have the largest, products the sum.
@@ -231,15 +246,15 @@ def lead(e, problem, language):
     return sp.oo if parts[0] > 0 else 0
 
 
-def _one(env):
+def _one(env: Environment) -> Function:
     return 1
 
 
-def _product(builds):
+def _product(builds: list[Build]) -> Build:
     if not builds:
         return _one
 
-    def build(env):
+    def build(env: Environment) -> Function:
         total = None
         for part in builds:
             total = part(env) if total is None else total * part(env)

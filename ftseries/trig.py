@@ -22,19 +22,23 @@ What a part holds is the business of a :class:`Ring`: Laurent polynomials in e^{
 numbers and balls (:mod:`ftseries.laurent`), values on a grid for floats (:mod:`ftseries.grid`).
 """
 
+from __future__ import annotations
+
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 from flint import fmpq
 from mpmath import isfinite
 from mpmath.libmp import to_rational
 
+from .aliases import Array, Exact, Modes, Multiplier, Number, Part, Parts, Term, Terms
 from .errors import InputError, NonAnalyticError
 
 __all__ = ["Trig", "Ring", "Table", "finite", "rational"]
 
 
-def rational(x):
+def rational(x: Exact) -> fmpq:
     """``x`` as an exact ``fmpq``: int, Fraction, decimal, SymPy rational, or float bit by bit.
 
     >>> rational("0.1"), rational(0.5)
@@ -52,7 +56,7 @@ def rational(x):
     return fmpq(f.numerator, f.denominator)
 
 
-def finite(name, value):
+def finite(name: str, value: Any) -> Array:
     """``value`` as a float array, all finite."""
     try:
         array = np.asarray(value, dtype=float)
@@ -68,36 +72,38 @@ class Trig:
 
     __slots__ = ("ring", "parts")
 
-    def __init__(self, ring, parts):
+    def __init__(self, ring: Ring, parts: Parts) -> None:
         self.ring, self.parts = ring, parts
 
-    def __add__(self, other):
+    def __add__(self, other: Trig) -> Trig:
+        if not (self.parts and other.parts):
+            return self if self.parts else other
         parts = dict(self.parts)
         for kind, b in other.parts.items():
             parts[kind] = self.ring.add(parts[kind], b) if kind in parts else b
         return Trig(self.ring, parts)
 
-    def __mul__(self, other):
+    def __mul__(self, other: Trig) -> Trig:
         return self.ring.convolve([self], [other], 0, 0, 0)
 
-    def scale(self, number):
+    def scale(self, number: Number) -> Trig:
         """The sum times a number of the ring."""
         return Trig(self.ring, {k: self.ring.scale(p, number) for k, p in self.parts.items()})
 
-    def multiply_modes(self, multiplier):
+    def multiply_modes(self, multiplier: Multiplier) -> Trig:
         """The sum with every e^{inτ} replaced by (a + ib) e^{inτ}, (a, b) = multiplier(n, ring)."""
-        parts = {}
+        parts: Parts = {}
         for kind, part in self.parts.items():
             for new, image in self.ring.multiply_modes(kind, part, multiplier):
                 parts[new] = self.ring.add(parts[new], image) if new in parts else image
         return Trig(self.ring, parts)
 
-    def modes(self):
+    def modes(self) -> Modes:
         """The non-zero coefficients as a dict ``{(sine, n): number}``."""
         return self.ring.modes(self.parts)
 
     # The first coefficient of a power, exponential, sine, cosine -- where Taylor recurrences start.
-    def constant(self, what):
+    def constant(self, what: str) -> Number:
         """The value of a sum that is a constant; ``what`` names the operation that needs one."""
         modes = self.modes()
         size = self.ring.size(modes)
@@ -106,7 +112,7 @@ class Trig:
                                    "oscillates there; expand about a constant state")
         return modes.get((0, 0), self.ring.number(0))
 
-    def power(self, alpha):
+    def power(self, alpha: Exact) -> Trig:
         value = self.constant(f"the power {alpha}")
         if self.ring.is_zero(value):
             raise NonAnalyticError(f"the power {alpha} of a quantity that vanishes at λ = 0 is not "
@@ -114,13 +120,13 @@ class Trig:
                                    "other variables")
         return self.ring.from_modes({(0, 0): self.ring.root(value, alpha)})
 
-    def exp(self):
+    def exp(self) -> Trig:
         if not self.ring.is_zero(self.constant("exp")):
             raise NonAnalyticError("exp, sin and cos need an argument that is zero at λ = 0; "
                                    "split its constant off by an addition theorem")
         return self.ring.from_modes({(0, 0): self.ring.number(1)})
 
-    def sincos(self):
+    def sincos(self) -> tuple[Trig, Trig]:
         return self.ring.from_modes({}), self.exp()
 
 
@@ -128,29 +134,64 @@ class Ring:
     """Arithmetic of finite Fourier sums; subclasses say what a number and a part are."""
 
     #: the free parameters, which :class:`ftseries.laurent.PolynomialRing` carries
-    names = ()
+    names: tuple[str, ...] = ()
     #: is the residual decided exactly (or by balls), or up to rounding?
     exact = True
 
-    def from_modes(self, modes):
+    def number(self, x: Exact) -> Number:
+        """A rational as a number of the ring."""
+        raise NotImplementedError
+
+    def part(self, kind: int, modes: dict[int, Number]) -> Part:
+        """The data of the modes ``{n: number}`` of one kind."""
+        raise NotImplementedError
+
+    def modes(self, parts: Parts) -> Modes:
+        """The non-zero coefficients in all parts."""
+        raise NotImplementedError
+
+    def add(self, a: Part, b: Part) -> Part:
+        raise NotImplementedError
+
+    def scale(self, part: Part, number: Number) -> Part:
+        raise NotImplementedError
+
+    def multiply_modes(self, kind: int, part: Part,
+                       multiplier: Multiplier) -> list[tuple[int, Part]]:
+        """The parts (kind, data) that :meth:`Trig.multiply_modes` makes of one."""
+        raise NotImplementedError
+
+    def root(self, value: Number, alpha: Exact) -> Number:
+        """A number to a rational power."""
+        raise NotImplementedError
+
+    def dot(self, terms: list[tuple[Part, Part, Number]]) -> Part:
+        """Σ weight · p · q over the terms (p, q, weight), all of one kind."""
+        raise NotImplementedError
+
+    def parameter(self, name: str) -> Number:
+        """A free parameter as a number of the ring."""
+        raise NotImplementedError
+
+    def from_modes(self, modes: Modes) -> Trig:
         """The :class:`Trig` with the given ``{(sine, n): number}``."""
-        kinds = {}
+        kinds: dict[int, dict[int, Number]] = {}
         for (sine, n), value in modes.items():
             kinds.setdefault(n % 2 + 2 * sine, {})[n] = value
         return Trig(self, {k: self.part(k, m) for k, m in kinds.items()})
 
-    def table(self):
+    def table(self) -> Terms:
         """An empty table of Taylor coefficients."""
         return Table()
 
-    def is_zero(self, number):
-        return number == 0
+    def is_zero(self, number: Number) -> bool:
+        return bool(number == 0)
 
-    def size(self, modes):
+    def size(self, modes: Modes) -> float:
         """A scale for :meth:`negligible`: the largest of these coefficients."""
         return 1
 
-    def turn(self, fraction):
+    def turn(self, fraction: Exact) -> tuple[Number, Number]:
         """(cos, sin) of that fraction of a full turn, where the ring has them."""
         quarters = 4 * rational(fraction)
         if quarters.q != 1:
@@ -160,13 +201,14 @@ class Ring:
                              "for twelfths declare the problem with surd = True")
         return ((1, 0), (0, 1), (-1, 0), (0, -1))[int(quarters.p) % 4]
 
-    def negligible(self, number, scale):
+    def negligible(self, number: Number, scale: float) -> bool:
         """Is this number of a residual zero?  ``scale`` is the size of the terms behind it."""
-        return number == 0
+        return bool(number == 0)
 
-    def convolve(self, a, b, k, lo, hi, alpha=1, beta=0):
+    def convolve(self, a: Terms, b: Terms, k: int, lo: int, hi: int, alpha: int = 1,
+                 beta: int = 0) -> Trig:
         """The Cauchy sum Σ_{j=lo}^{hi} (alpha + beta j) a_j b_{k-j} of two tables."""
-        pairs = {}
+        pairs: dict[int, list[tuple[Part, Part, Number]]] = {}
         fold = a is b and not beta and lo + hi == k     # a square: take each pair once, twice
         for j in range(lo, (k // 2 if fold else hi) + 1):
             u, v = a[j].parts, b[k - j].parts
@@ -182,8 +224,8 @@ class Ring:
         return Trig(self, {kind: self.dot(terms) for kind, terms in pairs.items()})
 
 
-class Table(list):
+class Table(list[Term]):
     """The Taylor coefficients 0, 1, 2, … of a series, as :class:`Trig`."""
 
-    def cut(self, k):
+    def cut(self, k: int) -> None:
         del self[k:]

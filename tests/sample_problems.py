@@ -2,10 +2,7 @@
 
 from fractions import Fraction
 
-import numpy as np
-from scipy.special import ellipk
-
-from ftseries import Field, FigureEight, Problem, Scalar, cos, exp, sin
+from ftseries import Field, Problem, Scalar, cos, exp, sin
 
 
 class Duffing(Problem):
@@ -95,48 +92,6 @@ class MassOnSpring(Duffing):
 
     def equations(self, lam, x, omega):
         return {"(D)": omega**2 * x.diff(2) + x + lam.expansion.parameter("mu") * x**3}
-
-
-class CentralEight(FigureEight):
-    """Z″ = -Q(Z f(|Z|)) with f(1) = 1, in lengths of |Z| at λ = 0."""
-
-    def equations(self, lam, r, phi):
-        c, s = cos(phi), sin(phi)
-        force = self.force(r)
-        x, y = (force * c).neighbours(), (force * s).neighbours()
-        return {"(radial)": r.diff(2) - r * phi.diff()**2 + (2 * force - (c * x + s * y)) / 3,
-                "(angular)": r * phi.diff(2) + 2 * r.diff() * phi.diff() + (s * x - c * y) / 3}
-
-
-class PowerLawEight(CentralEight):
-    """The force |d|^{-(α+1)} between two bodies at distance d."""
-
-    def __init__(self, alpha):
-        self.alpha = Fraction(alpha)
-
-    def force(self, r):
-        return r ** -(self.alpha + 1)
-
-    def scale(self, name):
-        return 3 ** (1 / (float(self.alpha) + 2)) if name == "r" else 1
-
-
-class LemniscateEight(CentralEight):
-    """Fujiwara, Fukuda, Ozaki: pair potential ½ ln r - (√3/24) r², on Bernoulli's lemniscate.
-
-    With the period T = 4K(k²), k² = (2 + √3)/4, and W = (2π/T)² the force is α/ρ - βρ in lengths c,
-    β = √3/(4W), α = 3/(2Wc²) = 1 + β.
-    """
-
-    period = 4 * ellipk((2 + np.sqrt(3)) / 4)
-    W = (2 * np.pi / period) ** 2
-    beta = Fraction(float(np.sqrt(3) / (4 * W)))
-
-    def force(self, r):
-        return (1 + self.beta) / r - self.beta * r
-
-    def scale(self, name):
-        return float(np.sqrt(3 / (2 * self.W * (1 + self.beta)))) if name == "r" else 1
 
 
 SMALL = [Duffing, Pendulum, Relativistic, Quotient, Exponential, LotkaVolterra, VanDerPol, Coupled]

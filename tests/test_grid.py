@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ftseries.errors import InputError
+from ftseries.expansion import Expansion
 from ftseries.grid import FloatRing, GridTable
-from ftseries.series import Expansion
 
 DEGREES = [0, 1, 2, 3, 4, 7, 10, 31]
 

@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 from sample_problems import SMALL, Duffing, VanDerPol
 
 import ftseries as fts
+from ftseries.expansion import Expansion
 from ftseries.laurent import RationalRing
-from ftseries.linear import Elimination, LinearPart, tangent
-from ftseries.series import Expansion
+from ftseries.linear import Elimination, LinearPart, Tangent
 from ftseries.trig import Ring
 
 PROBLEMS = [fts.CubicOscillator, lambda: fts.GeneralizedMathieu("1/3"), fts.FigureEight, *SMALL]
@@ -100,7 +100,7 @@ def test_the_tangent_is_the_derivative_of_the_residual(make):
         return [{row: (p.get(row, fmpq(0)) - m.get(row, fmpq(0))) / (2 * h)
                  for row in set(p) | set(m)} for p, m in zip(plus, minus, strict=True)]
 
-    found = list(tangent(problem, ring, base, [{}, direction], top))
+    found = list(Tangent(problem, ring, base).along([{}, direction], top))
     one, two = difference(fmpq(1)), difference(fmpq(2))
     for k in range(top + 1):
         limit = {row: (4 * one[k].get(row, fmpq(0)) - two[k].get(row, fmpq(0))) / 3

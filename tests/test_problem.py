@@ -99,8 +99,8 @@ def test_problems_are_found_by_their_names():
                                            (VanDerPol(), "(van der Pol)"),
                                            (LotkaVolterra(), "(prey)")])
 def test_equations_are_named(problem, name):
+    from ftseries.expansion import Expansion
     from ftseries.laurent import RationalRing
-    from ftseries.series import Expansion
     expansion = Expansion(RationalRing())
     unknowns = {key: expansion.unknown() for key in problem.unknowns}
     assert name in problem.residuals(expansion.lam, unknowns)

@@ -97,3 +97,24 @@ def test_another_branch_is_announced():
 def test_what_cannot_be_refined_is_refused(eight, call, error, word):
     with pytest.raises(error, match=word):
         call(eight)
+
+
+def test_a_family_is_followed_from_force_to_force(eight):
+    """There and back: the orbit of gravitation again."""
+    orbit = first = eight.refine()
+    for exponent in ("1/2", 0, "1/2", 1):
+        orbit = orbit.refine(fts.FigureEight(exponent))
+        assert orbit.residual < 1e-11
+    assert orbit.lam == pytest.approx(first.lam, abs=1e-13)
+    gap = fts.figure_eight.positions(orbit, T, orbit.lam) - newton.figure_eight(T)
+    assert np.abs(gap).max() < 5e-13
+
+
+def test_a_family_is_followed_in_lambda(eight):
+    """S_x along the family, against the series where that converges."""
+    series, orbit = fts.solve(fts.FigureEight(), order=60, arithmetic="float"), eight.refine(0.5)
+    for lam in (0.8, 1.1, 1.4):
+        orbit = orbit.refine(lam=lam)
+        assert orbit.lam == lam
+        expected = fts.figure_eight.closure(series, lam)
+        assert fts.figure_eight.closure(orbit, lam) == pytest.approx(expected, abs=1e-10)

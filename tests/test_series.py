@@ -11,9 +11,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ftseries.errors import InputError, NonAnalyticError
+from ftseries.expansion import Expansion
 from ftseries.grid import FloatRing
 from ftseries.laurent import BallRing, PolynomialRing, RationalRing, SurdRing
-from ftseries.series import Expansion, cos, exp, sin
+from ftseries.series import cos, exp, sin
 
 ORDER = 4
 

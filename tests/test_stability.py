@@ -207,3 +207,32 @@ class TestBodies:
     def test_positions_of_a_wrong_kind(self, wrong):
         with pytest.raises(fts.InputError, match="positions"):
             stability.bodies(wrong)
+
+
+@pytest.fixture(scope="module", params=["-1/2", "0", "6/5"])
+def other_eight(request):
+    """The eight under the force d^-(α+1), and the analysis of its stability."""
+    orbit = fts.solve(fts.FigureEight(), order=12).refine()
+    orbit = orbit.refine(fts.FigureEight("1/4")).refine(fts.FigureEight(request.param))
+    alpha = float(orbit.problem.exponent)
+    return alpha, orbit, stability.bodies(
+        lambda t: fts.figure_eight.positions(orbit, t, orbit.lam),
+        force=lambda d: d**-(alpha + 1))
+
+
+def test_other_forces_keep_the_symmetries_and_keplers_third_law(other_eight):
+    alpha, _, motion = other_eight
+    m = motion.matrix
+    assert motion.defect < 1e-8
+    drift = (alpha + 2) * motion.period * motion.symmetries[:, 2]
+    assert np.abs(m @ motion.scaling - motion.scaling + drift).max() < 1e-8
+
+
+def test_other_forces_against_taylor_series_in_time(other_eight):
+    alpha, orbit, motion = other_eight
+    t = 2 * np.pi * np.arange(1024) / 1024
+    z = fts.figure_eight.positions(orbit, t, orbit.lam)
+    v = np.fft.ifft(1j * np.fft.fftfreq(1024, 1 / 1024) * np.fft.fft(z))
+    m = floquet.figure_eight_monodromy([z[:, 0], v[:, 0]], alpha)
+    # rounding of the initial values times the growth of disturbances
+    assert np.abs(m - motion.matrix).max() < 1e-9 * np.abs(m).max()

@@ -144,12 +144,12 @@ def test_a_changed_file_is_refused(saved, change):
 ])
 def test_nonsense_with_a_right_checksum(saved, change, words):
     """Written by a program that is not ours."""
-    from ftseries.storage import _digest
+    from ftseries.jsonfile import digest
     path, content = saved
     data = json.loads(content)
     change(data)
     data.pop("sha256")
-    path.write_text(json.dumps(data | {"sha256": _digest(data)}))
+    path.write_text(json.dumps(data | {"sha256": digest(data)}))
     with pytest.raises(FileError, match=words):
         fts.load(path)
 
@@ -199,13 +199,13 @@ def test_the_problem_must_fit(tmp_path):
 
 def test_a_file_executes_nothing(tmp_path):
     """The length a is a text in the file: it may hold arithmetic and names, no calls."""
-    from ftseries.storage import _digest
+    from ftseries.jsonfile import digest
     path, trace = tmp_path / "evil.json", tmp_path / "trace"
     fts.solve(fts.CubicOscillator(), 1).save(path)
     data = json.loads(path.read_text())
     data.pop("sha256")
     data["problem"]["arguments"] = {"a": f"__import__('pathlib').Path({str(trace)!r}).touch()"}
-    path.write_text(json.dumps(data | {"sha256": _digest(data)}))
+    path.write_text(json.dumps(data | {"sha256": digest(data)}))
     with pytest.raises(FileError, match="not a number or a SymPy expression"):
         fts.load(path)
     assert not trace.exists()

@@ -1,11 +1,12 @@
 """Families in bulk: in this process, in others, on a cluster."""
 
-import importlib.util
+import logging
 import os
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context
 
 import pytest
+from distributed import Client, LocalCluster
 
 import ftseries as fts
 
@@ -39,13 +40,41 @@ def test_in_threads_with_options():
     assert found[1].problem.arguments() == fts.GeneralizedMathieu(0.25).arguments()
 
 
-@pytest.mark.skipif(not importlib.util.find_spec("distributed"),
-                    reason="dask.distributed is not installed: pip install distributed")
-def test_on_a_local_dask_cluster():
-    from distributed import Client
-    with Client(n_workers=2, threads_per_worker=1, dashboard_address=None) as client:
-        expected(fts.sweep(fts.CubicOscillator, VALUES, 4, executor=client.get_executor(),
-                           progress=False))
+@pytest.fixture(scope="module")
+def dask():
+    """The executor of a Dask cluster on this machine: scheduler and two workers.
+
+    They speak over TCP, so that everything is pickled as between machines, but they are threads of
+    this process, because starting others takes long on a busy machine.
+    """
+    with LocalCluster(n_workers=2, threads_per_worker=1, processes=False, protocol="tcp://",
+                      dashboard_address=None, silence_logs=logging.CRITICAL) as cluster, \
+            Client(cluster) as client:
+        yield client.get_executor()
+
+
+def test_on_a_local_dask_cluster(dask):
+    expected(fts.sweep(fts.CubicOscillator, VALUES, 4, executor=dask, progress=False))
+
+
+def test_on_dask_in_floats_and_with_equations(dask):
+    """Solutions and problems travel both ways; the values are those found here."""
+    found = fts.sweep(duffing, [1, 2, 3], 30, executor=dask, progress=False, arithmetic="float")
+    here = fts.sweep(duffing, [1, 2, 3], 30, progress=False, arithmetic="float")
+    assert [sol.coefficients for sol in found] == [sol.coefficients for sol in here]
+    assert "Equations" in repr(found[0].problem)
+
+
+def test_a_mistake_on_a_dask_worker_loses_only_its_value(dask):
+    found = fts.sweep(sometimes_broken, [4, 1], 2, executor=dask, progress=False)
+    assert found[0].coefficient("omega", 0) ** 2 == 48
+    assert isinstance(found[1].error, ZeroDivisionError)
+
+
+def sometimes_broken(value):
+    if value == 1:
+        raise ZeroDivisionError("a mistake in the caller's own function")
+    return fts.CubicOscillator(value)
 
 
 def duffing(stiffness):

@@ -1,4 +1,4 @@
-"""Draw three bodies on the eight: the picture of the README, and the icon of the pages.
+"""Draw three bodies on the eight, for the README and the social cards, and the pages' icon.
 
     python tools/draw_eight.py
 """
@@ -13,6 +13,7 @@ import ftseries as fts
 from ftseries.figures import figure_eight, style
 
 BOOK = Path(__file__).parents[1] / "book"
+NAMELESS = {".svg": {"Date": None, "Creator": None}, ".png": {"Software": None}}
 
 
 def draw(path=BOOK / "assets" / "eight.svg"):
@@ -44,9 +45,10 @@ def positions(t):
 
 def save(fig, path):
     with mpl.rc_context({"svg.hashsalt": "eight"}):
-        fig.savefig(path, metadata={"Date": None, "Creator": None})
+        fig.savefig(path, metadata=NAMELESS[path.suffix])
 
 
 if __name__ == "__main__":
     draw()
+    draw(BOOK / "assets" / "eight.png")
     draw_icon()

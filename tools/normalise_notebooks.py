@@ -5,7 +5,8 @@
     python tools/normalise_notebooks.py --check          execute nothing, refuse what is not normal
 
 Normal form keeps sources, outputs and tags. It has no times, no widget state, no addresses of
-objects and no Python version; cells are named by their contents and numbered in order.
+objects and no Python version; cells are named by their contents and numbered in order. The first
+code cell, which no page shows, installs the package where a reader opens the notebook on Colab.
 """
 
 import argparse
@@ -24,6 +25,14 @@ TIMEOUT = 600  # seconds for one cell
 KEPT_METADATA = ("jupytext", "kernelspec", "language_info")
 WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
 ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}\b")
+COLAB = """\
+import sys
+
+if "google.colab" in sys.modules:  # elsewhere the package is already there
+    %pip install --quiet ftseries
+    from google.colab import output
+
+    output.enable_custom_widget_manager()"""
 KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
 
 
@@ -44,9 +53,27 @@ def normalise(notebook):
             _normalise_output(output, f"{cell['id']}-{number}")
 
 
+def add_installation(notebook):
+    """Put the cell for Colab before the first code cell of a notebook that uses the package."""
+    if _lacks_installation(notebook):
+        cell = nbformat.v4.new_code_cell(COLAB, metadata={"tags": ["remove-cell"]})
+        notebook.cells.insert(notebook.cells.index(_code(notebook)[0]), cell)
+
+
+def _code(notebook):
+    return [cell for cell in notebook.cells if cell.cell_type == "code" and cell.source.strip()]
+
+
+def _lacks_installation(notebook):
+    cells = _code(notebook)
+    return any("ftseries" in cell.source for cell in cells) and cells[0].source != COLAB
+
+
 def faults(notebook):
     """Sentences that say why a notebook is not fit to be stored; none if it is."""
-    cells = [cell for cell in notebook.cells if cell.cell_type == "code" and cell.source.strip()]
+    cells = _code(notebook)
+    if _lacks_installation(notebook):
+        yield "its first code cell does not install the package on Colab"
     if [cell.execution_count for cell in cells] != list(range(1, len(cells) + 1)):
         yield "its cells were not executed once each, in order"
     for cell in cells:
@@ -56,8 +83,8 @@ def faults(notebook):
                 yield f"cell {cell.execution_count} stores the error {output.ename}"
 
 
-def execute(notebook, folder):
-    """Run all cells in place, in a fresh kernel that starts in ``folder``."""
+def execute(notebook, folder, *arguments):
+    """Run all cells in place, in a fresh kernel with ``arguments`` that starts in ``folder``."""
     for cell in notebook.cells:
         if cell.cell_type == "code":
             cell.outputs, cell.execution_count = [], None
@@ -68,7 +95,7 @@ def execute(notebook, folder):
         resources={"metadata": {"path": str(folder)}},
         record_timing=False,
         coalesce_streams=True,
-        extra_arguments=["--IPKernelApp.log_level=ERROR"],
+        extra_arguments=["--IPKernelApp.log_level=ERROR", *arguments],
     ).execute()
 
 
@@ -99,6 +126,7 @@ def _store_or_check(path, check):
     before = path.read_text(encoding="utf-8")
     notebook = nbformat.reads(before, as_version=4)
     if not check:
+        add_installation(notebook)
         execute(notebook, path.parent)
     normalise(notebook)
     if sentences := list(faults(notebook)):

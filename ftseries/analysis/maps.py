@@ -6,19 +6,27 @@ the unit disc, so that a series hindered by singularities on the left converges 
 are kept exact where all are; floats are taken into balls of many bits and come back as floats.
 """
 
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from typing import Any, TypeAlias
 
 from flint import arb, arb_series, ctx, fmpq, fmpq_series
 
+from ..aliases import Exact, Number
 from ..errors import InputError
 from ..trig import rational
 
 __all__ = ["compose", "euler_map", "revert"]
 
 _BITS = 1000
+#: from coefficients to a series of FLINT, and back
+Make: TypeAlias = Callable[[Sequence[Number]], Any]
+Numbers: TypeAlias = Callable[[Any], list[Number]]
 
 
-def compose(c, inner):
+def compose(c: Sequence[Number], inner: Sequence[Number]) -> list[Number]:
     """The Taylor coefficients of f(φ(w)), as many as of f; ``inner`` are those of φ.
 
     >>> compose([1] * 8, [0, 1, 1])                               # 1/(1 - w - w²): Fibonacci
@@ -31,7 +39,7 @@ def compose(c, inner):
         return numbers(make(c)(make(inner)))
 
 
-def revert(c):
+def revert(c: Sequence[Number]) -> list[Number]:
     """The Taylor coefficients of the inverse function z(w) of w = Σ c_k z^k.
 
     >>> revert([0, 1, -1, 0, 0])                                  # w = z - z²: Catalan numbers
@@ -44,7 +52,7 @@ def revert(c):
         return numbers(make(c).reversion())
 
 
-def euler_map(c, p):
+def euler_map(c: Sequence[Number], p: Exact) -> tuple[list[Number], Callable[[Any], Any]]:
     """(d, w): the coefficients of f in Euler's variable w = z/(z + p), and w itself as a function.
 
     >>> d, w = euler_map([(-1) ** k for k in range(6)], 1)                # 1/(1 + z) = 1 - w
@@ -59,16 +67,17 @@ def euler_map(c, p):
     return compose(c, inner), lambda z: z / (z + scale)
 
 
-def _check_start(c, what):
+def _check_start(c: Sequence[Number], what: str) -> None:
     if not len(c) or c[0] != 0:
         raise InputError(f"{what} must vanish at 0: its first coefficient must be zero")
 
 
 @contextmanager
-def _series(length, *lists):
+def _series(length: int, *lists: Sequence[Number]) -> Iterator[tuple[Make, Numbers]]:
     """(from coefficients to a series, and back) in the arithmetic that holds all the lists."""
     cap, exact = ctx.cap, all(isinstance(x, (fmpq, int)) for c in lists for x in c)
-    kind, number = (fmpq_series, fmpq) if exact else (arb_series, arb)
+    kind: Any = fmpq_series if exact else arb_series
+    number: Any = fmpq if exact else arb
     floats = any(isinstance(x, float) for c in lists for x in c)
     with ctx.workprec(_BITS):
         try:

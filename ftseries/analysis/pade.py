@@ -8,9 +8,15 @@ is a *defect*: it belongs to the rounding of the coefficients or to chance, not 
 (G. A. Baker and P. Graves-Morris, Padé Approximants, 1996.)
 """
 
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 from flint import acb, acb_poly, arb, arb_mat, arb_poly, ctx, fmpq, fmpq_mat
 
+from ..aliases import ArrayLike, ComplexArray, Number
 from ..errors import InputError
 from .singularities import _numbers
 
@@ -34,19 +40,20 @@ class Pade:
         (L, M) as asked; where it differs, that entry lies in a singular block of the table.
     """
 
-    def __init__(self, numerator, denominator, asked):
+    def __init__(self, numerator: Sequence[arb], denominator: Sequence[arb],
+                 asked: tuple[int, int]) -> None:
         self.exact = [x.mid() for x in numerator], [x.mid() for x in denominator]
         self.numerator = np.array([float(x) for x in numerator])
         self.denominator = np.array([float(x) for x in denominator])
         self.degrees, self.asked = (len(numerator) - 1, len(denominator) - 1), asked
         self._p, self._q = arb_poly(self.exact[0]), arb_poly(self.exact[1])
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         asked = "" if self.asked == self.degrees else \
             f", for [{self.asked[0]}/{self.asked[1]}] in a singular block"
         return f"<Padé approximant [{self.degrees[0]}/{self.degrees[1]}]{asked}>"
 
-    def __call__(self, z):
+    def __call__(self, z: ArrayLike) -> Any:
         """The value; infinite at a pole.
 
         A single number is evaluated in ball arithmetic and rounded once.  Arrays are evaluated in
@@ -59,7 +66,7 @@ class Pade:
             return (np.polynomial.polynomial.polyval(z, self.numerator)
                     / np.polynomial.polynomial.polyval(z, self.denominator))
 
-    def _value(self, z):
+    def _value(self, z: Any) -> Any:
         real = not np.iscomplexobj(z)
         with ctx.workprec(_BITS):
             z = arb(float(z)) if real else acb(complex(z))
@@ -69,15 +76,15 @@ class Pade:
             value = self._p(z) / q
             return np.float64(value) if real else np.complex128(complex(value))
 
-    def poles(self):
+    def poles(self) -> ComplexArray:
         """The zeros of q, nearest first, as complex numbers."""
         return self._roots(1)
 
-    def zeros(self):
+    def zeros(self) -> ComplexArray:
         """The zeros of p, nearest first."""
         return self._roots(0)
 
-    def defects(self, distance=1e-4):
+    def defects(self, distance: float = 1e-4) -> list[complex]:
         """The poles that have a zero within ``distance`` times their modulus.
 
         Of 1/(1 - z/2) + 1e-9/(1 - z) the pole at 1 is next to nothing, and met by a zero:
@@ -90,11 +97,12 @@ class Pade:
         return [pole for pole in self.poles()
                 if zeros.size and np.abs(zeros - pole).min() < distance * abs(pole)]
 
-    def _roots(self, which):
+    def _roots(self, which: int) -> ComplexArray:
         with ctx.workprec(_BITS):
             polynomial = acb_poly(self.exact[which])
             if polynomial.degree() < 1:
                 return np.array([], dtype=complex)
+            roots: Any
             try:
                 roots = polynomial.roots(tol=2.0**-60, maxprec=_MOST_BITS)
             except ValueError:                              # a root of higher multiplicity
@@ -102,7 +110,7 @@ class Pade:
         return np.array(sorted(map(complex, roots), key=lambda r: (abs(r), r.imag)))
 
 
-def pade(c, upper=None, lower=None):
+def pade(c: Sequence[Number], upper: int | None = None, lower: int | None = None) -> Pade:
     """The approximant [upper/lower] of a series.
 
     Parameters
@@ -137,7 +145,7 @@ def pade(c, upper=None, lower=None):
     return Pade(*found, asked)
 
 
-def _solve(c, upper, lower):
+def _solve(c: Sequence[Number], upper: int, lower: int) -> tuple[list[arb], list[arb]] | None:
     """Coefficients of p and q as balls, or None in a singular block."""
     bits = _BITS
     while bits <= _MOST_BITS:
@@ -155,7 +163,7 @@ def _solve(c, upper, lower):
     return None
 
 
-def _denominator(c, upper, lower):
+def _denominator(c: Sequence[Number], upper: int, lower: int) -> list[arb] | None:
     """q_0 … q_M, or None where the balls cannot tell the system from a singular one."""
     if lower == 0:
         return [arb(1)]
@@ -167,18 +175,18 @@ def _denominator(c, upper, lower):
     return [arb(1)] + [solution[i, 0] for i in range(lower)]
 
 
-def _singular(c, upper, lower):
+def _singular(c: Sequence[Number], upper: int, lower: int) -> bool:
     """Is the system singular in exact arithmetic?"""
     exact = [x if isinstance(x, fmpq) else _rational(x) for x in c]
     rows = [x for row in _hankel(exact, upper, lower) for x in row[1:]]
     return fmpq_mat(lower, lower, rows).det() == 0
 
 
-def _rational(x):
+def _rational(x: Number) -> fmpq:
     mantissa, exponent = arb(x).mid().man_exp()
     return fmpq(mantissa) * fmpq(2) ** int(exponent)
 
 
-def _hankel(c, upper, lower):
+def _hankel(c: Sequence[Number], upper: int, lower: int) -> list[list[Number]]:
     return [[c[upper + i - j] if upper + i >= j else 0 * c[0] for j in range(lower + 1)]
             for i in range(1, lower + 1)]

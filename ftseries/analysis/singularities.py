@@ -14,11 +14,16 @@ many degrees are made; a singularity is a place on which most of them agree, and
 they disagree by.
 """
 
+from __future__ import annotations
+
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from flint import acb, acb_poly, arb, arb_mat, ctx
 
+from ..aliases import Number
 from ..errors import InputError
 
 __all__ = ["Estimate", "Singularity", "thin", "root_test", "domb_sykes", "nearest_singularities"]
@@ -43,10 +48,10 @@ class Estimate:
     value: float
     error: float
 
-    def __str__(self):
+    def __str__(self) -> str:
         return f"{self.value:.12g} ± {self.error:.1e}"
 
-    def __float__(self):
+    def __float__(self) -> float:
         return float(self.value)
 
 
@@ -64,11 +69,11 @@ class Singularity:
     exponent_error: float
 
     @property
-    def radius(self):
+    def radius(self) -> Estimate:
         return Estimate(abs(self.location), self.error)
 
 
-def thin(c):
+def thin(c: Sequence[Number]) -> tuple[int, int, list[Number]]:
     """(step, first, d): the coefficients without their regular zeros, c_{first + k step} = d_k.
 
     >>> thin([0, 1, 0, -2, 0, 3])
@@ -81,7 +86,7 @@ def thin(c):
     return step, support[0], list(c[support[0]::step])
 
 
-def root_test(c):
+def root_test(c: Sequence[Number]) -> list[tuple[int, float]]:
     """Pairs (k, |c_k|^{-1/k}) for every non-zero coefficient but the first.
 
     >>> root_test([1, 2, 4, 8])
@@ -91,7 +96,7 @@ def root_test(c):
             for k, x in enumerate(_numbers(c)) if k and x != 0]
 
 
-def domb_sykes(c):
+def domb_sykes(c: Sequence[Number]) -> list[tuple[float, float]]:
     """The points (1/k, c_k/c_{k-1}) of the plot of Domb and Sykes, zeros left out.
 
     They tend to 1/z_0 with the slope -(s + 1)/z_0 where one singularity (1 - z/z_0)^s is nearest.
@@ -104,7 +109,7 @@ def domb_sykes(c):
             for k in range(1, len(c)) if c[k] != 0 and c[k - 1] != 0]
 
 
-def nearest_singularities(c):
+def nearest_singularities(c: Sequence[Number]) -> list[Singularity]:
     """The singularities that the coefficients show, nearest first; of a pair, both.
 
     Parameters
@@ -152,11 +157,11 @@ def nearest_singularities(c):
     if not found:
         raise InputError("no singularity fits these coefficients: give more of them, or their "
                          "function has none")
-    return [Singularity(z * scale, exponent, error * scale, exponent_error)
-            for z, exponent, error, exponent_error in found]
+    return [Singularity(s.location * scale, s.exponent, s.error * scale, s.exponent_error)
+            for s in found]
 
 
-def _numbers(c):
+def _numbers(c: Sequence[Number]) -> list[arb]:
     try:
         c = [arb(x) for x in c]
     except (TypeError, ValueError):
@@ -166,7 +171,7 @@ def _numbers(c):
     return c
 
 
-def _rough_radius(c):
+def _rough_radius(c: Sequence[Number]) -> float:
     """The median of |c_k|^{-1/k} over the last third."""
     radii = [(abs(x).mid().log() / k) for k, x in enumerate(c)
              if k > 2 * len(c) // 3 and abs(x).mid() != 0]
@@ -176,7 +181,7 @@ def _rough_radius(c):
     return float(np.exp(-np.median([float(x) for x in radii])))
 
 
-def _fit(c, degree):
+def _fit(c: Sequence[Number], degree: int) -> Any:
     """The zeros z of Q_1 in the upper half plane as pairs (z, s); None where the balls say little.
 
     A singular system means that a lower degree is exact already; a change in the last bits makes
@@ -197,8 +202,8 @@ def _fit(c, degree):
     q = [solution[i, 0] for i in range(2 * degree + 1)]
     if any(x.rel_accuracy_bits() < 30 and x.abs_upper() > 1e-20 for x in q):
         return None
-    q = [0 if x.abs_upper() < 1e-25 else x.mid() for x in q]
-    q1, q0 = acb_poly([1] + q[:degree]), acb_poly(q[degree:])
+    q = [arb(0) if x.abs_upper() < 1e-25 else x.mid() for x in q]
+    q1, q0 = acb_poly([arb(1), *q[:degree]]), acb_poly(q[degree:])
     slope, found = q1.derivative(), []
     for z in np.roots([float(a.real) for a in q1.coeffs()[::-1]]):
         if not (_NEAREST < abs(z) < _FARTHEST and z.imag > -1e-10):
@@ -212,8 +217,8 @@ def _fit(c, degree):
     return np.array(found, dtype=complex).reshape(-1, 2)
 
 
-def _agreed(fits, close):
-    """(z, s, error, error of s) of every place where half of the fits have a zero."""
+def _agreed(fits: Any, close: float) -> list[Singularity]:
+    """Every place where half of the fits have a zero."""
     candidates = []
     half = max(2, (len(fits) + 1) // 2)
     for z, s in np.concatenate([*fits, np.empty((0, 2))]):
@@ -225,7 +230,7 @@ def _agreed(fits, close):
         near = sorted(near)[:half]
         if len(near) == half and near[-1][0] < close * abs(z):
             candidates.append((near[-1][0], max(change for _, change in near), complex(z), s))
-    chosen = []
+    chosen: list[tuple[float, float, complex, complex]] = []
     for error, exponent_error, z, s in sorted(candidates, key=lambda c: c[:2]):
         if all(abs(z - other[2]) > 5 * close * abs(z) for other in chosen):
             chosen.append((error, exponent_error, z, s))
@@ -234,5 +239,5 @@ def _agreed(fits, close):
         error = float(_SAFETY * error + 1e-15 * abs(z))
         exponent_error = float(_SAFETY * exponent_error + abs(s.imag) + 1e-15)
         places = [complex(z.real)] if abs(z.imag) <= error else [z, z.conjugate()]
-        result += [(place, float(s.real), error, exponent_error) for place in places]
+        result += [Singularity(place, float(s.real), error, exponent_error) for place in places]
     return result

@@ -17,17 +17,24 @@ The negative powers of a function w > 0 come from an approximation v of w^{-1/2}
 Then w > 0 and v has no zero; v(0) > 0 makes v^p (1 - ε)^{-p/2} the positive root for odd p.
 """
 
+from __future__ import annotations
+
+from collections.abc import Iterable
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from functools import reduce
 from math import inf, nextafter
+from typing import TYPE_CHECKING, Any
 
 from flint import arb, ctx
 
 from ..errors import FTSeriesError
 from ..laurent import BallRing
 
-__all__ = ["Enclosure", "NotProved", "at_least", "at_most", "largest_of", "norm", "truncate",
-           "upper"]
+if TYPE_CHECKING:
+    from ..trig import Trig
+
+__all__ = ["Enclosure", "NotProved", "at_least", "at_most", "decimal", "largest_of",
+           "negative_power", "norm", "power_of_ten", "truncate", "upper"]
 
 RING = BallRing()
 
@@ -36,17 +43,17 @@ class NotProved(FTSeriesError):
     """The inequalities of a proof do not hold for these data; nothing is claimed."""
 
 
-def upper(x):
+def upper(x: arb | int) -> arb:
     """The upper end of a ball, as an exact number."""
     return x.abs_upper() if isinstance(x, arb) else arb(x)
 
 
-def largest_of(values):
+def largest_of(values: Iterable[arb]) -> arb:
     """An upper bound of all of them, as an exact number."""
     return reduce(lambda a, b: upper(a.max(b)), values, arb(0))
 
 
-def at_most(x, digits=3):
+def at_most(x: Any, digits: int = 3) -> str:
     """A decimal not below x, to print an upper bound.
 
     >>> at_most(arb("1.231e-9")), at_least(arb("1.239e-9"))
@@ -55,17 +62,52 @@ def at_most(x, digits=3):
     return _decimal(nextafter(float(x), inf), digits, ROUND_CEILING)
 
 
-def at_least(x, digits=3):
+def at_least(x: Any, digits: int = 3) -> str:
     """A decimal not above x, to print a lower bound."""
     return _decimal(nextafter(float(x), -inf), digits, ROUND_FLOOR)
 
 
-def _decimal(x, digits, rounding):
+def _decimal(x: float, digits: int, rounding: str) -> str:
     d = Context(prec=digits, rounding=rounding).create_decimal(Decimal(x))
     return f"{float(d):.{digits}g}"
 
 
-def norm(trig, nu):
+def decimal(x: arb, n: int) -> str:
+    """The first n digits after the point of every number in a ball, truncated, not rounded.
+
+    Raises
+    ------
+    NotProved
+        The numbers in the ball do not agree in them.
+
+    Examples
+    --------
+    >>> from flint import arb
+    >>> decimal(-arb(2).sqrt(), 5), decimal(arb("0.123456", "1e-9"), 4)
+    ('-1.41421', '0.1234')
+    >>> decimal(arb("0.125", "1e-9"), 3)
+    Traceback (most recent call last):
+        ...
+    ftseries.certify.algebra.NotProved: not proved: 3 digits of [0.12500000 +/- 1.01e-9]
+    """
+    with ctx.workdps(n + 40):
+        whole = (abs(x) * arb(10)**n).floor().unique_fmpz()
+    if whole is None:
+        raise NotProved(f"not proved: {n} digits of {x.str(10)}")
+    text = whole.str().rjust(n + 1, "0")
+    return ("-" if whole and x < 0 else "") + f"{text[:-n]}.{text[-n:]}"
+
+
+def power_of_ten(x: arb) -> str:
+    """The power of ten not below x > 0, for numbers too small for a float.
+
+    >>> power_of_ten(arb("1.2e-1007"))
+    '1e-1006'
+    """
+    return f"1e{(x.log() / arb(10).log()).upper().ceil().unique_fmpz()}"
+
+
+def norm(trig: Trig, nu: arb) -> arb:
     """A bound of ‖·‖_ν of a finite sum."""
     total = arb(0)
     for (_, n), c in trig.modes().items():
@@ -73,7 +115,7 @@ def norm(trig, nu):
     return upper(total)
 
 
-def truncate(trig, top, nu):
+def truncate(trig: Trig, top: int, nu: arb) -> tuple[Trig, arb]:
     """(sum of the modes up to ``top``, norm of the rest)."""
     modes = trig.modes()
     rest = {mode: c for mode, c in modes.items() if mode[1] > top}
@@ -81,19 +123,31 @@ def truncate(trig, top, nu):
             norm(RING.from_modes(rest), nu))
 
 
+def negative_power(w: Any, p: int, root: Any, one: Any) -> Any:
+    """w^{-p/2} in any Banach algebra, from ``root`` close to w^{-1/2}; the formula above."""
+    defect = (one + root * root * w * -1).norm()
+    if not defect < 1:
+        raise NotProved(f"not proved: ‖1 - v²w‖ = {float(defect):.3g} is not below 1; give "
+                        "more modes or a better approximation")
+    power = root
+    for _ in range(p - 1):
+        power = power * root
+    return power.widened(power.norm() * ((1 - defect) ** (-arb(p) / 2) - 1))
+
+
 class Enclosure:
     """All functions within ``radius`` of the finite sum ``center``, in the norm with weight ν."""
 
-    def __init__(self, center, radius, nu):
+    def __init__(self, center: Trig, radius: Any, nu: arb) -> None:
         self.center, self.radius, self.nu = center, upper(radius), nu
 
-    def norm(self):
+    def norm(self) -> arb:
         return upper(norm(self.center, self.nu) + self.radius)
 
-    def __add__(self, other):
+    def __add__(self, other: Enclosure) -> Enclosure:
         return Enclosure(self.center + other.center, self.radius + other.radius, self.nu)
 
-    def __mul__(self, other):
+    def __mul__(self, other: Enclosure | arb | float) -> Enclosure:
         if not isinstance(other, Enclosure):
             number = other if isinstance(other, arb) else arb(other)
             return Enclosure(self.center.scale(number), self.radius * upper(number), self.nu)
@@ -101,12 +155,15 @@ class Enclosure:
                   + norm(other.center, self.nu) * self.radius + self.radius * other.radius)
         return Enclosure(self.center * other.center, radius, self.nu)
 
-    def cut(self, top):
+    def widened(self, error: Any) -> Enclosure:
+        return Enclosure(self.center, self.radius + error, self.nu)
+
+    def cut(self, top: int) -> Enclosure:
         """The same set, or a larger one, with a center of at most ``top`` modes."""
         center, rest = truncate(self.center, top, self.nu)
         return Enclosure(center, self.radius + rest, self.nu)
 
-    def negative_power(self, p, v):
+    def negative_power(self, p: int, v: Trig) -> Enclosure:
         """w^{-p/2} of this w, from an approximation ``v`` (a finite sum) of w^{-1/2}.
 
         Raises
@@ -115,20 +172,12 @@ class Enclosure:
             v is too poor: ‖1 - v²w‖ is not below 1.
         """
         one = Enclosure(RING.from_modes({(0, 0): arb(1)}), 0, self.nu)
-        root = Enclosure(v, 0, self.nu)
-        defect = (one + root * root * self * -1).norm()
-        if not defect < 1:
-            raise NotProved(f"not proved: ‖1 - v²w‖ = {float(defect):.3g} is not below 1; give "
-                            "more modes or a better approximation")
+        power: Enclosure = negative_power(self, p, Enclosure(v, 0, self.nu), one)
         if not sum((c for (sine, _), c in v.modes().items() if not sine), arb(0)) > 0:
             raise NotProved("not proved: v(0) > 0, so v may approximate the negative root")
-        power = root
-        for _ in range(p - 1):
-            power = power * root
-        spread = upper((1 - defect) ** (-arb(p) / 2) - 1)
-        return Enclosure(power.center, power.norm() * spread, self.nu)
+        return power
 
-    def cos_sin(self, top):
+    def cos_sin(self, top: int) -> list[Enclosure]:
         """cos and sin of it, by Taylor's series in the algebra, with at most ``top`` modes."""
         size, k, bound = self.norm(), 0, arb(1)
         term = Enclosure(RING.from_modes({(0, 0): arb(1)}), 0, self.nu)

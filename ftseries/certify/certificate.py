@@ -5,86 +5,53 @@ carries a SHA-256 of everything else, against damage.  Against an altered file w
 stands the proof itself, which :mod:`ftseries.certify.checking` does again.
 """
 
-import hashlib
-import json
-import os
+from __future__ import annotations
+
+from collections.abc import Sequence
 
 from flint import arb
 
-from ..errors import FileError
+from .. import jsonfile
+from ..aliases import FilePath, Json
 from .algebra import NotProved
 
 __all__ = ["ball", "exact", "number", "read", "read_ball", "require", "write"]
 
+_KIND = "ftseries certificate"
 
-def exact(x):
+
+def exact(x: arb) -> str:
     """The midpoint of x, bit by bit."""
     return "{} {}".format(*(int(i) for i in x.mid().man_exp()))
 
 
-def ball(x):
+def ball(x: arb) -> list[str]:
     """[midpoint, radius]."""
     return [exact(x), exact(x.rad())]
 
 
-def number(text):
+def number(text: str) -> arb:
     """The number that :func:`exact` wrote."""
     mantissa, exponent = (int(i) for i in text.split())
     return arb((mantissa, exponent))
 
 
-def read_ball(pair):
+def read_ball(pair: Sequence[str]) -> arb:
     """A ball that contains the one :func:`ball` wrote, hardly larger."""
     return number(pair[0]) + arb(0, number(pair[1]))
 
 
-def write(path, data):
-    """Write a certificate.
-
-    Raises
-    ------
-    FileError
-        The file cannot be written.
-    """
-    data = {"format": "ftseries certificate", "version": 1} | data
-    try:
-        with open(path, "w", encoding="utf-8") as file:
-            json.dump(data | {"sha256": _digest(data)}, file)
-    except OSError as error:
-        raise FileError(f"cannot write {os.fspath(path)!r}: {error.strerror}") from error
+def write(path: FilePath, data: dict[str, Json]) -> None:
+    """Write a certificate; errors as for :func:`ftseries.jsonfile.write`."""
+    jsonfile.write(path, _KIND, data)
 
 
-def read(path):
-    """The contents of a certificate.
-
-    Raises
-    ------
-    FileError
-        The file cannot be read, is none, or is damaged.
-    """
-    path = os.fspath(path)
-    try:
-        with open(path, encoding="utf-8") as file:
-            data = json.load(file)
-    except OSError as error:
-        raise FileError(f"cannot read {path!r}: {error.strerror}") from error
-    except (ValueError, RecursionError) as error:
-        raise FileError(f"{path!r} is damaged or not JSON ({error})") from None
-    if not isinstance(data, dict) or data.get("format") != "ftseries certificate":
-        raise FileError(f"{path!r} is not a certificate of ftseries")
-    if data.get("version") != 1:
-        raise FileError(f"{path!r} has format version {data.get('version')!r}; this reads 1")
-    if data.pop("sha256", None) != _digest(data):
-        raise FileError(f"{path!r} is damaged: its contents do not match their checksum; prove the "
-                        "theorem again")
-    return data
+def read(path: FilePath) -> dict[str, Json]:
+    """The contents of a certificate; errors as for :func:`ftseries.jsonfile.read`."""
+    return jsonfile.read(path, _KIND, "a certificate of ftseries", "prove the theorem again")
 
 
-def require(holds, inequality):
+def require(holds: bool, inequality: str) -> None:
     """Raise :class:`NotProved` unless an inequality holds."""
     if not holds:
         raise NotProved(f"not proved: {inequality} fails for the numbers of this certificate")
-
-
-def _digest(data):
-    return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()

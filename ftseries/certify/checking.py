@@ -1,6 +1,8 @@
 r"""Check a certificate: prove its claims again, with none of the code that found them.
 
-Formula.  The eight: :mod:`ftseries.certify.checking_eight`.  The eigenvalue: everything in
+Formula.  The eight: :mod:`ftseries.certify.checking_eight`, its digits:
+:mod:`ftseries.certify.checking_digits`, its series: :mod:`ftseries.certify.checking_convergence`.
+The eigenvalue: everything in
 :mod:`ftseries.certify.mathieu` is rational, so it is computed exactly here, and negative
 eigenvalues are counted by Descartes' rule, which is exact for a polynomial with real roots only.
 The oscillator: at a = 1, with m = 2λ/(3 + λ), K = K(m), E = E(m) and q = exp(-π K(1-m)/K), it has
@@ -12,18 +14,23 @@ and \|A_n\| ≤ 2ω² n qⁿ/(1 - q²) sums up beyond N to at most
 2ω² q^{N+1} (N + 1)/((1 - q²)(1 - q)²).
 """
 
+from __future__ import annotations
+
 from flint import acb, arb, ctx, fmpq, fmpq_mat
 
+from ..aliases import FilePath, Json
 from ..errors import FileError
 from . import certificate
 from .algebra import at_least, at_most
 from .certificate import number, read_ball, require
+from .checking_convergence import check_convergence
+from .checking_digits import check_digits
 from .checking_eight import check_eight
 
 __all__ = ["check"]
 
 
-def check(path):
+def check(path: FilePath) -> str:
     """Prove again what a certificate claims.
 
     Parameters
@@ -44,8 +51,9 @@ def check(path):
         The claims do not follow; the message names the first inequality that fails.
     """
     data = certificate.read(path)
-    proofs = {"figure eight": check_eight, "Mathieu eigenvalue": _mathieu,
-              "cubic oscillator": _cubic}
+    proofs = {"figure eight": check_eight, "convergence": check_convergence,
+              "figure eight, digits": check_digits,
+              "Mathieu eigenvalue": _mathieu, "cubic oscillator": _cubic}
     try:
         kind, precision = data["theorem"], data["precision"]
         if kind not in proofs:
@@ -53,28 +61,29 @@ def check(path):
         if not 53 <= precision <= 100000:
             raise FileError(f"{str(path)!r} asks for {precision} bits; 53 to 100000 are possible")
         with ctx.workprec(precision):
-            return proofs[kind](data)
+            proved: str = proofs[kind](data)
+            return proved
     except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError) as error:
         raise FileError(f"{str(path)!r} is damaged: {error}; prove the theorem again") from None
 
 
-def _exactly(text):
+def _exactly(text: str) -> fmpq:
     mantissa, exponent = (int(i) for i in text.split())
     return fmpq(mantissa) * fmpq(2) ** exponent
 
 
-def _rational(text):
+def _rational(text: str) -> fmpq:
     p, _, q = text.partition("/")
     return fmpq(int(p), int(q or 1))
 
 
-def _mathieu(data):
+def _mathieu(data: dict[str, Json]) -> str:
     lam, mu = _rational(data["lam"]), _rational(data["mu"])
     v, beta = [_exactly(x) for x in data["vector"]], _exactly(data["beta"])
     size, q, s = len(v), lam**2 / 2, lam**4 * mu / 2
     require(size > 2 and any(v), "v has at least three entries, one not 0")
 
-    def times(x, i):                    # row n = 2i + 1 of H x; sin(-nx) = -sin nx folds back
+    def times(x: list[fmpq], i: int) -> fmpq:
         total = (2 * i + 1) ** 2 * x[i]
         for step, factor in ((1, q), (2, s)):
             low = i - step
@@ -103,7 +112,7 @@ def _mathieu(data):
             f"{read_ball(data['a']).str(40)}, and the next is at least {at_least(arb(beta), 6)}.")
 
 
-def _cubic(data):
+def _cubic(data: dict[str, Json]) -> str:
     lam = arb(_rational(data["lam"]) / _rational(data["a"]))
     modes, r = [arb(_rational(c)) for c in data["modes"]], number(data["radius"])
     require(lam > 0 and lam < 3, "0 < λ < 3a")

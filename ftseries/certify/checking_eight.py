@@ -2,82 +2,120 @@ r"""Check the certificate of a figure eight, with none of the code that found it
 
 Formula.  The guesses in the file (ū, v ≈ W^{-1/2} and the matrix a) are only read; all bounds are
 computed here.  A cosine series Σ c_n cos nt is the Laurent polynomial Σ a_n z^n with a_0 = c_0 and
-a_{±n} = c_n/2, kept as a FLINT polynomial shifted by its degree, and Σ |a_n| ν^{|n|} is its norm.
+a_{±n} = c_n/2, kept as a FLINT polynomial of z² shifted by its degree; its norm is Σ |a_n| ν^{|n|}.
 The inequalities are those of :mod:`ftseries.certify.eight` and
 :mod:`ftseries.certify.newton_kantorovich`.
 """
 
-from flint import acb, arb, arb_mat, arb_poly
+from __future__ import annotations
 
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from flint import acb, arb, arb_mat, arb_poly, ctx
+
+from ..aliases import Json
 from .algebra import at_least, at_most
 from .certificate import number, read_ball, require
 
-__all__ = ["check_eight"]
+__all__ = ["Laurent", "Proved", "check_eight", "lambda_zero", "prove", "residual"]
 
 
-class _Laurent:
-    """A Laurent polynomial with the same degree d on both sides, known up to ``error`` in norm."""
+class Laurent:
+    """A Laurent polynomial with the powers -d, -d + 2, …, d, known up to ``error`` in norm."""
 
-    def __init__(self, poly, degree, nu, error=0):
+    def __init__(self, poly: arb_poly, degree: int, nu: arb, error: Any = 0) -> None:
         self.poly, self.degree, self.nu, self.error = poly, degree, nu, arb(error)
 
     @classmethod
-    def cosines(cls, modes, nu):
+    def cosines(cls, modes: dict[int, arb], nu: arb) -> Laurent:
+        """Σ modes[n] cos nt, all n of one parity."""
         d = max(modes)
         return cls(arb_poly([modes.get(abs(i), arb(0)) / (2 if i else 1)
-                             for i in range(-d, d + 1)]), d, nu)
+                             for i in range(-d, d + 1, 2)]), d, nu)
 
-    def __getitem__(self, n):
-        return self.poly[self.degree + n] if abs(n) <= self.degree else arb(0)
+    @property
+    def powers(self) -> range:
+        return range(-self.degree, self.degree + 1, 2)
 
-    def size(self):
+    def __getitem__(self, n: int) -> arb:
+        return self.poly[(self.degree + n) // 2] if n in self.powers else arb(0)
+
+    def size(self) -> arb:
         """Norm of what is known."""
-        return sum((abs(self[n]) * self.nu ** abs(n)
-                    for n in range(-self.degree, self.degree + 1)), arb(0)).upper()
+        with ctx.workprec(64):
+            return sum((abs(self[n]) * self.nu ** abs(n) for n in self.powers), arb(0)).upper()
 
-    def norm(self):
+    def norm(self) -> arb:
         return (self.size() + self.error).upper()
 
-    def __mul__(self, other):
+    def __mul__(self, other: Laurent) -> Laurent:
         error = (self.size() * other.error + other.size() * self.error
                  + self.error * other.error).upper()
-        return _Laurent(self.poly * other.poly, self.degree + other.degree, self.nu, error)
+        return Laurent(self.poly * other.poly, self.degree + other.degree, self.nu, error)
 
-    def __add__(self, other):
+    def __add__(self, other: Laurent) -> Laurent:
         low, high = sorted((self, other), key=lambda f: f.degree)
-        poly = low.poly.left_shift(high.degree - low.degree) + high.poly
-        return _Laurent(poly, high.degree, self.nu, self.error + other.error)
+        poly = low.poly.left_shift((high.degree - low.degree) // 2) + high.poly
+        return Laurent(poly, high.degree, self.nu, self.error + other.error)
 
-    def times(self, factor):
-        return _Laurent(self.poly * factor, self.degree, self.nu, self.error * abs(factor))
+    def times(self, factor: Any) -> Laurent:
+        return Laurent(self.poly * factor, self.degree, self.nu, self.error * abs(factor))
 
-    def widened(self, error):
-        return _Laurent(self.poly, self.degree, self.nu, (self.error + error).upper())
+    def widened(self, error: Any) -> Laurent:
+        return Laurent(self.poly, self.degree, self.nu, (self.error + error).upper())
 
-    def slope(self):
+    def slope(self) -> Laurent:
         """1/i times the derivative by t."""
-        return _Laurent(arb_poly([self[n] * n for n in range(-self.degree, self.degree + 1)]),
-                        self.degree, self.nu)
+        return Laurent(arb_poly([self[n] * n for n in self.powers]), self.degree, self.nu)
 
-    def cut(self, d):
+    def cut(self, d: int) -> Laurent:
+        """The powers up to d only; the rest goes into the error."""
+        d -= (self.degree - d) % 2
         if d >= self.degree:
             return self
-        rest = sum((abs(self[n]) * self.nu ** abs(n)
-                    for n in range(-self.degree, self.degree + 1) if abs(n) > d), arb(0))
-        return _Laurent(arb_poly([self[n] for n in range(-d, d + 1)]), d, self.nu,
-                        (self.error + rest).upper())
+        rest = sum((abs(self[n]) * self.nu ** abs(n) for n in self.powers if abs(n) > d), arb(0))
+        return Laurent(arb_poly([self[n] for n in range(-d, d + 1, 2)]), d, self.nu,
+                       (self.error + rest).upper())
 
 
-def check_eight(data):
+@dataclass(frozen=True)
+class Proved:
+    """The constants of the theorem, proved again."""
+
+    nu: arb
+    top: int
+    center: dict[int, arb]
+    index: list[int]
+    inverse: arb_mat
+    norm: arb
+    z1: arb
+    z2: arb
+    low: arb
+    high: arb
+    largest: arb
+
+
+def check_eight(data: dict[str, Json]) -> str:
     """What the certificate proves, as a sentence, or :class:`ftseries.certify.NotProved`."""
+    proved = prove(data)
+    return ("Checked. Newton's equations of three equal bodies have exactly one solution with the "
+            f"symmetries of the figure eight within {at_least(proved.high)} of the Fourier sum in "
+            f"the file; it lies within {at_most(proved.low)} of it, never collides, and λ₀ = "
+            f"{read_ball(data['lam']).str(25)}.")
+
+
+def prove(data: dict[str, Json]) -> Proved:
+    """:class:`Proved`, or :class:`ftseries.certify.NotProved`."""
     nu, top = arb(data["nu"]), data["modes"]
     u = {int(n): number(c) for n, c in data["center"]}
     low, high, largest = (number(data[key]) for key in ("radius", "uniqueness", "largest"))
     require(nu > 1 and low >= 0 and low < high and high <= largest, "0 ≤ r < R ≤ r*, ν > 1")
     require(all(0 < n <= top and n % 3 for n in u), "ū has the modes 1, 2, 4, …, N")
-    v = _Laurent.cosines({int(n): number(c) for n, c in data["root"]}, nu)
-    part = [_Laurent.cosines({n: c for n, c in u.items() if n % 2 == i}, nu) for i in (0, 1)]
-    one = _Laurent.cosines({0: arb(1)}, nu)
+    v = Laurent.cosines({int(n): number(c) for n, c in data["root"]}, nu)
+    part = [Laurent.cosines({n: c for n, c in u.items() if n % 2 == i}, nu) for i in (0, 1)]
+    one = Laurent.cosines({0: arb(1)}, nu)
     w = part[0] * part[0] + part[1] * part[1]
     square = v * v
     require(sum(v.poly.coeffs(), arb(0)) > 0, "v(0) > 0")
@@ -87,7 +125,7 @@ def check_eight(data):
     require(wide < 1, "‖1 - v²W‖ < 1 on the ball of radius r*")
     e, size = defect.norm(), v.norm()
 
-    def power(p, f):
+    def power(p: int, f: Laurent) -> Laurent:
         return f.widened(f.norm() * ((1 - e) ** (-arb(p) / 2) - 1)).cut(2 * top)
 
     g = power(3, square * v)
@@ -98,22 +136,19 @@ def check_eight(data):
     a = arb_mat([[number(c) for c in row] for row in data["inverse"]])
     require((a.nrows(), a.ncols()) == (len(index),) * 2, "the size of the matrix")
     norm_a = _largest([*_column_norms(a, index, index, nu), 1 / arb(top + 1) ** 2])
-    y = _residual(u, [part[i] * g for i in (0, 1)], a, index, top, norm_a, nu)
+    y = residual(u, [part[i] * g for i in (0, 1)], a, index, top, norm_a, nu)
     z1 = _first(a, m, index, top, norm_a, nu)
     s = (size * (1 - wide) ** (-arb(1) / 2)).upper()
     z2 = norm_a * (9 * s**5 * z + 15 * s**7 * z**3)
     require(y - (1 - z1) * low + z2 * low**2 / 2 <= 0, "p(r) ≤ 0")
     require(z1 + z2 * high < 1, "Z₁ + Z₂ R < 1")
-    require(read_ball(data["lam"]).contains(_lambda_zero(part, square, e, size, low)),
+    require(read_ball(data["lam"]).contains(lambda_zero(part, square, e, size, low)),
             "the enclosure of λ₀")
     _initial_values(data, part, low, nu)
-    return ("Checked. Newton's equations of three equal bodies have exactly one solution with the "
-            f"symmetries of the figure eight within {at_least(high)} of the Fourier sum in the "
-            f"file; it lies within {at_most(low)} of it, never collides, and λ₀ = "
-            f"{read_ball(data['lam']).str(25)}.")
+    return Proved(nu, top, u, index, a, norm_a, z1, z2, low, high, largest)
 
 
-def _largest(values):
+def _largest(values: Iterable[arb]) -> arb:
     """An upper bound of all of them."""
     worst = arb(0)
     for x in values:
@@ -123,27 +158,29 @@ def _largest(values):
     return worst
 
 
-def _column_norms(matrix, rows, columns, nu):
+def _column_norms(matrix: arb_mat, rows: list[int], columns: list[int], nu: arb) -> Iterator[arb]:
     for j, k in enumerate(columns):
         yield sum((abs(matrix[i, j]) * nu**n for i, n in enumerate(rows)), arb(0)) / nu**k
 
 
-def _residual(u, product, a, index, top, norm_a, nu):
-    """Y."""
-    def force(n):
+def residual(u: dict[int, arb], product: Sequence[Laurent], a: arb_mat, index: list[int], top: int,
+             norm_a: arb, nu: arb) -> arb:
+    """Y, a bound of ‖A F(u)‖; u may have more modes than the block."""
+    def force(n: int) -> arb:
         return 2 * product[n % 2][n]
 
     inside = a * arb_mat([[n * n * u.get(n, arb(0)) - force(n)] for n in index])
     total = sum((abs(inside[i, 0]) * nu**n for i, n in enumerate(index)), arb(0))
     for n in range(top + 1, max(f.degree for f in product) + 1):
         if n % 3:
-            total += abs(force(n)) / n**2 * nu**n
+            total += abs(n * n * u.get(n, arb(0)) - force(n)) / n**2 * nu**n
     return (total + norm_a * (product[0].error + product[1].error)).upper()
 
 
-def _first(a, m, index, top, norm_a, nu):
+def _first(a: arb_mat, m: list[list[Laurent]], index: list[int], top: int, norm_a: arb,
+           nu: arb) -> arb:
     """Z₁: columns up to N + 2N are summed up, all others stay beyond the block."""
-    def entry(n, k):
+    def entry(n: int, k: int) -> arb:
         f = m[n % 2][k % 2]
         return f[n - k] + f[n + k]
 
@@ -166,7 +203,7 @@ def _first(a, m, index, top, norm_a, nu):
     return (_largest([*sums, *far]) + norm_a * error).upper()
 
 
-def _lambda_zero(part, square, e, size, low):
+def lambda_zero(part: Sequence[Laurent], square: Laurent, e: arb, size: arb, low: arb) -> arb:
     """λ₀ = 2c_1, where φ' = Σ i c_n e^{int}."""
     root = square.widened(square.norm() * (1 / (1 - e) - 1))
     rate = (part[0] * part[1].slope() + (part[1] * part[0].slope()).times(-1)) * root
@@ -176,7 +213,7 @@ def _lambda_zero(part, square, e, size, low):
     return 2 * rate[1] + arb(0, error.upper())
 
 
-def _initial_values(data, part, low, nu):
+def _initial_values(data: dict[str, Json], part: Sequence[Laurent], low: arb, nu: arb) -> None:
     unit = arb(3).root(3)
     for name, moment in (("positions", 0), ("velocities", 1)):
         sums = []

@@ -9,18 +9,27 @@ Formula.  Let the true Z = r_12/3^{1/3} be within d of Z̄ in the norm of
 λ₀ is the amplitude of cos t in φ = arg Z; that of sin t in φ' = (X Y' - Y X')/W is -λ₀.
 """
 
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
 from flint import acb, arb
 
+from ..aliases import Modes
 from ..errors import InputError
 from ..series import DERIVATIVES
 from .algebra import RING, Enclosure, NotProved, upper
+
+if TYPE_CHECKING:
+    from ..trig import Trig
 
 __all__ = ["distance_from", "initial_values", "lambda_zero"]
 
 ROOM = 1 + arb(2) ** -10            # of the radii, so that others may check them
 
 
-def lambda_zero(x, y, v, distance):
+def lambda_zero(x: Enclosure, y: Enclosure, v: Trig, distance: arb) -> arb:
     """A ball around λ₀, from Z̄ = x + iy, v ≈ W^{-1/2} and the distance d."""
     w = x * x + y * y
     derivative = [Enclosure(part.center.multiply_modes(DERIVATIVES[1]), 0, part.nu)
@@ -30,10 +39,11 @@ def lambda_zero(x, y, v, distance):
     if not angle < arb("0.5"):
         raise NotProved("not proved: the orbit may pass through a collision")
     error = rate.radius / w.nu + 4 / arb.pi() * angle / (1 - angle)
-    return -rate.center.modes()[1, 1] + arb(0, upper(error * ROOM))
+    slope: arb = rate.center.modes()[1, 1]
+    return arb(0, upper(error * ROOM)) - slope
 
 
-def initial_values(u, distance, nu):
+def initial_values(u: Mapping[int, Any], distance: arb, nu: arb) -> list[tuple[acb, ...]]:
     """Positions and velocities of the bodies at t = 0, as two triples of complex balls."""
     unit = arb(3).root(3)
     errors = distance, distance / (arb(1).exp() * nu.log())
@@ -52,7 +62,8 @@ def initial_values(u, distance, nu):
     return result
 
 
-def distance_from(orbit, lam, x, y, top, low, high):
+def distance_from(orbit: Any, lam: float, x: Enclosure, y: Enclosure, top: int, low: arb,
+                  high: arb) -> arb:
     """A bound of ‖r e^{iφ}/3^{1/3} - Z̄‖ for the given coefficients of r and φ, taken as exact.
 
     Raises
@@ -70,11 +81,12 @@ def distance_from(orbit, lam, x, y, top, low, high):
     return distance
 
 
-def _sum(orbit, name, lam):
+def _sum(orbit: Any, name: str, lam: float) -> Trig:
     """The Fourier sum of r/3^{1/3} or φ at λ, with balls for coefficients."""
     rows = getattr(orbit, "coefficients", None)
     if rows is not None and isinstance(rows[name], list):               # a series
-        total, power = {}, arb(1)
+        total: Modes = {}
+        power = arb(1)
         for row in rows[name]:
             for mode, c in row.items():
                 total[mode] = total.get(mode, arb(0)) + _number(c) * power
@@ -87,5 +99,5 @@ def _sum(orbit, name, lam):
     return RING.from_modes({mode: arb(float(c)) / unit for mode, c in amplitudes.items()})
 
 
-def _number(c):
+def _number(c: Any) -> arb:
     return arb(c) if isinstance(c, float) else RING.number(c)

@@ -17,11 +17,14 @@ F is quadratic, so Z₂ holds everywhere.  A zero has x(0) = λ - 1 and x'(0) = 
 solution; A_1 ≠ 0 makes 2π its shortest period in τ.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 import numpy as np
 from flint import arb, arb_mat, ctx, fmpq
 
+from ..aliases import Exact, FilePath
 from ..errors import InputError
 from ..problems.cubic import CubicOscillator
 from ..solver import solve
@@ -63,21 +66,21 @@ class CubicTheorem:
     lam: fmpq
     order: int
     radius: arb
-    center: tuple
+    center: tuple[fmpq, list[fmpq]]
     precision: int
 
-    def __str__(self):
+    def __str__(self) -> str:
         b = self.bounds
         return (f"Theorem. At a = {self.a}, λ = {self.lam} the series of Taylor order {self.order} "
                 f"is in error by at most {at_most(self.amplitudes)} in x at every phase and "
                 f"{at_most(self.omega)} in ω. [Y = {at_most(b.y)}, Z₁ = {at_most(b.z1)}, "
                 f"Z₂ = {at_most(b.z2)}]")
 
-    def at(self, t):
+    def at(self, t: float) -> arb:
         """A bound of the error of x at the time t (a number): its phase drifts."""
         return upper(self.amplitudes + abs(arb(t)) * self.omega * self.slope)
 
-    def save(self, path):
+    def save(self, path: FilePath) -> None:
         """Write a certificate for :func:`ftseries.certify.check`."""
         omega, modes = self.center
         certificate.write(path, {
@@ -87,7 +90,7 @@ class CubicTheorem:
             "radius": certificate.exact(self.radius)})
 
 
-def cubic_bound(a, lam, order, precision=256):
+def cubic_bound(a: Exact, lam: Exact, order: int, precision: int = 256) -> CubicTheorem:
     """Prove a bound of the truncation error of the cubic oscillator's series.
 
     Parameters
@@ -136,17 +139,17 @@ def cubic_bound(a, lam, order, precision=256):
                             bounds, a, lam, order, low, (square, modes), precision)
 
 
-def _bounds(square, modes, lam):
+def _bounds(square: fmpq, modes: list[fmpq], lam: fmpq) -> Bounds:
     """Y, Z₁, Z₂ of the module's formula; row and column 0 are * and Ω."""
     top, omega = len(modes) - 1, arb(square)
     value = [arb(c) for c in modes] + [arb(0)] * (4 * top + 2)         # up to n + k
 
-    def coupling(n, k):                      # 12 [A cos kτ]_n, without the n² Ω on the diagonal
+    def coupling(n: int, k: int) -> arb:
         if k == 0 or n == 0:
             return 12 * value[k + n] / (2 if n == 0 and k else 1)
         return 6 * (value[abs(n - k)] * (1 if n != k else 2) + value[n + k])
 
-    def column(k):
+    def column(k: int) -> list[arb]:
         return [arb(1)] + [coupling(n, k) + (n * n * omega if n == k else 0)
                            for n in range(top + 1)]
 
@@ -161,13 +164,13 @@ def _bounds(square, modes, lam):
     a = arb_mat([[arb(float(c)) for c in row] for row in inverse])
     norms = [sum((abs(a[i, j]) for i in range(top + 2)), arb(0)) for j in range(top + 2)]
 
-    def applied(head, tail):
+    def applied(head: list[arb], tail: dict[int, arb]) -> tuple[list[arb], dict[int, arb]]:
         """A F of (F_*, F_0, …, F_N) and {n > N: F_n}, as the same pair."""
         tail = {n: c / (n * n * omega) for n, c in tail.items()}
         head = [head[0] - sum(tail.values(), arb(0)), *head[1:]]
         return [row[0] for row in (a * arb_mat([[c] for c in head])).tolist()], tail
 
-    def size(head, tail):
+    def size(head: list[arb], tail: dict[int, arb]) -> arb:
         return upper(sum((upper(c) for c in [*head, *tail.values()]), arb(0)))
 
     squares = [arb(0)] * (2 * top + 1)

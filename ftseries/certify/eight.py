@@ -14,11 +14,16 @@ and A is a float inverse of the block n ≤ N, and 1/n² beyond.  With s = ‖W^
 the whole ball of radius r*, the second derivative of Z ↦ Z G is at most 9 s⁵ z + 15 s⁷ z³.
 """
 
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
-from flint import arb, arb_mat, ctx
+from flint import acb, arb, arb_mat, ctx
 
+from ..aliases import FilePath, Json
 from ..errors import InputError
 from ..problems.figure_eight import FigureEight, closure_zero
 from . import certificate
@@ -26,7 +31,13 @@ from .algebra import RING, Enclosure, at_least, at_most, largest_of, upper
 from .consequences import distance_from, initial_values, lambda_zero
 from .newton_kantorovich import Bounds, radius
 
-__all__ = ["EightTheorem", "prove_eight"]
+if TYPE_CHECKING:
+    from ..trig import Trig
+
+__all__ = ["EightTheorem", "inverse_norm", "prove_eight", "residual_bound", "waves"]
+
+#: the operators M_ij
+Blocks: TypeAlias = dict[tuple[int, int], Enclosure]
 
 
 @dataclass(frozen=True)
@@ -57,17 +68,17 @@ class EightTheorem:
     uniqueness: arb
     distance: arb
     lam: arb
-    positions: tuple
-    velocities: tuple
-    center: dict
-    root: dict
-    inverse: list
+    positions: tuple[acb, ...]
+    velocities: tuple[acb, ...]
+    center: dict[int, float]
+    root: dict[int, arb]
+    inverse: list[list[float]]
     bounds: Bounds
     nu: str
     modes: int
     precision: int
 
-    def __str__(self):
+    def __str__(self) -> str:
         b, total = self.bounds, self.radius + self.distance
         return ("Theorem. Newton's equations of three equal bodies have exactly one solution with "
                 "the symmetries of the figure eight within "
@@ -77,9 +88,13 @@ class EightTheorem:
                 f"Y = {at_most(b.y)}, Z₁ = {at_most(b.z1)}, Z₂ = {at_most(b.z2)}, "
                 f"r* = {at_least(b.largest)}]")
 
-    def save(self, path):
+    def save(self, path: FilePath) -> None:
         """Write a certificate: the claims, and what :func:`ftseries.certify.check` needs."""
-        certificate.write(path, {
+        certificate.write(path, self.contents())
+
+    def contents(self) -> dict[str, Json]:
+        """What :meth:`save` writes."""
+        return {
             "theorem": "figure eight", "nu": self.nu, "modes": self.modes,
             "precision": self.precision,
             "center": [[n, certificate.exact(arb(c))] for n, c in self.center.items()],
@@ -91,10 +106,11 @@ class EightTheorem:
             "lam": certificate.ball(self.lam),
             "positions": [[certificate.ball(x) for x in (z.real, z.imag)] for z in self.positions],
             "velocities": [[certificate.ball(x) for x in (z.real, z.imag)]
-                           for z in self.velocities]})
+                           for z in self.velocities]}
 
 
-def prove_eight(orbit, lam=None, modes=100, nu="1.02", precision=256):
+def prove_eight(orbit: Any, lam: float | None = None, modes: int = 100, nu: Any = "1.02",
+                precision: int = 256) -> EightTheorem:
     """Prove that a true figure eight lies near an approximate one.
 
     Parameters
@@ -122,8 +138,8 @@ def prove_eight(orbit, lam=None, modes=100, nu="1.02", precision=256):
     >>> theorem.radius < 1e-13 < 1e-8 < theorem.uniqueness, theorem.lam.str(12, radius=False)
     (True, '2.07568390885')
     """
-    if not isinstance(getattr(orbit, "problem", None), FigureEight):
-        raise InputError(f"{orbit!r} is not a figure eight")
+    if repr(getattr(orbit, "problem", None)) != repr(FigureEight()):
+        raise InputError(f"{orbit!r} is not a figure eight under gravitation")
     if not isinstance(modes, int) or modes < 4:
         raise InputError(f"modes={modes!r}: give an integer of at least 4")
     with ctx.workprec(precision):
@@ -140,7 +156,7 @@ def prove_eight(orbit, lam=None, modes=100, nu="1.02", precision=256):
         u = _center(orbit, lam, modes)
         proved = _prove(u, modes, weight)
         low, high, v = proved["radius"], proved["uniqueness"], proved.pop("v")
-        x, y = _waves(u, weight)
+        x, y = waves(u, weight)
         distance = distance_from(orbit, lam, x, y, 2 * modes, low, high)
         positions, velocities = initial_values(u, low, weight)
         return EightTheorem(distance=distance, lam=lambda_zero(x, y, v, low), center=u,
@@ -149,7 +165,7 @@ def prove_eight(orbit, lam=None, modes=100, nu="1.02", precision=256):
                             **proved)
 
 
-def _center(orbit, lam, modes):
+def _center(orbit: Any, lam: float, modes: int) -> dict[int, float]:
     """u_n of the approximate solution, as floats, after a projection on the symmetric modes."""
     points = 8 * modes
     t = 2 * np.pi * np.arange(points) / points
@@ -159,14 +175,14 @@ def _center(orbit, lam, modes):
     return {n: float((y if n % 2 else x)[n]) for n in range(1, modes + 1) if n % 3}
 
 
-def _waves(u, nu):
+def waves(u: Mapping[int, Any], nu: Any) -> list[Enclosure]:
     """X and Y."""
     return [Enclosure(RING.from_modes({(0, n): arb(c) for n, c in u.items() if n % 2 == i}), 0, nu)
             for i in (0, 1)]
 
 
-def _prove(u, modes, nu):
-    x, y = _waves(u, nu)
+def _prove(u: Mapping[int, Any], modes: int, nu: arb) -> dict[str, Any]:
+    x, y = waves(u, nu)
     w = x * x + y * y
     top = 2 * modes
     v = _inverse_root(u, modes, w, top)
@@ -184,9 +200,8 @@ def _prove(u, modes, nu):
     inverse = np.linalg.inv(floats)
     a = arb_mat([[arb(float(c)) for c in row] for row in inverse])
     weight = {n: nu**n for n in range(1, modes + 2 * top + 2)}
-    norm_a = _column_norm(a, index, index, weight)
-    norm_a = largest_of((norm_a, arb(1) / (modes + 1) ** 2))
-    y_bound = _y(u, x, y, g, a, index, modes, weight, norm_a)
+    norm_a = inverse_norm(a, index, modes, weight)
+    y_bound = residual_bound(u, x, y, g, a, index, modes, weight, norm_a)
     z1 = _z1(a, block, entry, m, index, modes, top, weight, norm_a * rest)
     largest = arb(2) ** -20
     z2 = _z2(w, v, x, y, norm_a, largest)
@@ -196,7 +211,7 @@ def _prove(u, modes, nu):
             "inverse": inverse.tolist()}
 
 
-def _inverse_root(u, modes, w, top):
+def _inverse_root(u: Mapping[int, Any], modes: int, w: Enclosure, top: int) -> Trig:
     """A finite sum close to W^{-1/2}: from floats, then Newton's iteration in balls."""
     points = 8 * modes
     t = 2 * np.pi * np.arange(points) / points
@@ -213,30 +228,33 @@ def _inverse_root(u, modes, w, top):
     return v
 
 
-def _entries(m):
+def _entries(m: Blocks) -> Callable[[int, int], arb]:
     """(n, k) ↦ the coefficient of cos nt in M cos kt."""
     modes = {key: e.center.modes() for key, e in m.items()}
 
-    def entry(n, k):
+    def entry(n: int, k: int) -> arb:
         series = modes[n % 2, k % 2]
         low, high = abs(n - k), n + k
-        total = series.get((0, high), arb(0))
+        total: arb = series.get((0, high), arb(0))
         total += series.get((0, low), arb(0)) * (2 if low == 0 else 1)
         return total / 2
     return entry
 
 
-def _column_norm(matrix, rows, columns, weight):
-    worst = arb(0)
-    for j, k in enumerate(columns):
+def inverse_norm(a: arb_mat, index: list[int], modes: int, weight: dict[int, arb]) -> arb:
+    """‖A‖: the largest column of the block, or 1/(N + 1)²."""
+    worst = arb(1) / (modes + 1) ** 2
+    for j, k in enumerate(index):
         total = arb(0)
-        for i, n in enumerate(rows):
-            total += upper(matrix[i, j]) * weight[n]
+        for i, n in enumerate(index):
+            total += upper(a[i, j]) * weight[n]
         worst = largest_of((worst, total / weight[k]))
     return worst
 
 
-def _y(u, x, y, g, a, index, modes, weight, norm_a):
+def residual_bound(u: Mapping[int, Any], x: Enclosure, y: Enclosure, g: Enclosure, a: arb_mat,
+                   index: list[int], modes: int, weight: dict[int, arb], norm_a: arb) -> arb:
+    """Y: a bound of ‖A F(u)‖; ``u`` may have more modes than the block."""
     product = {0: x * g, 1: y * g}
     values = {}
     for i in (0, 1):
@@ -255,7 +273,8 @@ def _y(u, x, y, g, a, index, modes, weight, norm_a):
     return upper(total + norm_a * (product[0].radius + product[1].radius))
 
 
-def _z1(a, block, entry, m, index, modes, top, weight, rest):
+def _z1(a: arb_mat, block: arb_mat, entry: Callable[[int, int], arb], m: Blocks, index: list[int],
+        modes: int, top: int, weight: dict[int, arb], rest: arb) -> arb:
     size = len(index)
     unit = arb_mat(size, size, [int(i == j) for i in range(size) for j in range(size)])
     inside = unit - a * block
@@ -285,7 +304,7 @@ def _z1(a, block, entry, m, index, modes, top, weight, rest):
     return upper(largest_of((worst, far)) + rest)
 
 
-def _z2(w, v, x, y, norm_a, largest):
+def _z2(w: Enclosure, v: Trig, x: Enclosure, y: Enclosure, norm_a: arb, largest: arb) -> arb:
     """Bound of the second derivative over the ball of radius ``largest``."""
     size = upper(x.norm() + y.norm() + largest)
     wide = Enclosure(w.center, w.radius + 2 * size * largest + largest**2, w.nu)

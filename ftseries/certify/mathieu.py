@@ -18,11 +18,15 @@ It is the lowest of all odd periodic solutions: those with even n solve the same
 [0, π/2] with ψ(π/2) = 0 instead of ψ'(π/2) = 0, a smaller space for Rayleigh's quotient.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from flint import arb, arb_mat, ctx, fmpq
 
+from ..aliases import Array, Exact, FilePath
 from ..errors import InputError
 from ..problems.mathieu import GeneralizedMathieu
 from ..trig import rational
@@ -55,15 +59,15 @@ class EigenvalueTheorem:
     beta: arb
     lam: fmpq
     mu: fmpq
-    vector: list
+    vector: list[arb]
     precision: int
 
-    def __str__(self):
+    def __str__(self) -> str:
         return (f"Theorem. For λ = {self.lam}, μ = {self.mu} the lowest a for which (M1) has an "
                 f"odd 2π-periodic solution is {self.a.str(40)}; the next with odd modes is at "
                 f"least {at_least(self.beta, 6)}. [N = {len(self.vector)}]")
 
-    def save(self, path):
+    def save(self, path: FilePath) -> None:
         """Write a certificate for :func:`ftseries.certify.check`."""
         certificate.write(path, {
             "theorem": "Mathieu eigenvalue", "precision": self.precision, "lam": str(self.lam),
@@ -71,7 +75,7 @@ class EigenvalueTheorem:
             "beta": certificate.exact(self.beta),
             "vector": [certificate.exact(x) for x in self.vector]})
 
-    def series_error(self, solution):
+    def series_error(self, solution: Any) -> arb:
         """A ball that contains (series at this λ and μ) - a: the true error of the series.
 
         Coefficients that are floats are taken as exact numbers.
@@ -97,14 +101,14 @@ class EigenvalueTheorem:
             return total - self.a
 
 
-def _value(c, mu):
+def _value(c: Any, mu: fmpq) -> arb:
     """A coefficient as a ball: a polynomial in μ, a rational, a float or a ball."""
     if hasattr(c, "to_dict"):
         return arb(sum((k * mu ** int(i[-1]) for i, k in c.to_dict().items()), fmpq(0)))
     return c if isinstance(c, arb) else arb(c)
 
 
-def mathieu_eigenvalue(lam, mu=0, digits=30):
+def mathieu_eigenvalue(lam: Exact, mu: Exact = 0, digits: int = 30) -> EigenvalueTheorem:
     """Enclose the eigenvalue of (M1) that belongs to the lowest odd solution.
 
     Parameters
@@ -145,24 +149,24 @@ def mathieu_eigenvalue(lam, mu=0, digits=30):
                 raise NotProved(f"{reason}; N = {size // 2}")
 
 
-def hill(lam, mu, rows, columns):
+def hill(lam: fmpq, mu: fmpq, rows: int, columns: int) -> list[list[fmpq]]:
     """The corner of H with that many rows and columns, as rows of rational numbers."""
     q, s = lam**2 / 2, lam**4 * mu / 2
 
-    def entry(n, k):
+    def entry(n: int, k: int) -> fmpq:
         return (fmpq(n * n if n == k else 0) + q * ((abs(n - k) == 2) - (n + k == 2))
                 + s * ((abs(n - k) == 4) - (n + k == 4)))
     return [[entry(2 * i + 1, 2 * j + 1) for j in range(columns)] for i in range(rows)]
 
 
-def _prove(lam, mu, size, digits):
+def _prove(lam: fmpq, mu: fmpq, size: int, digits: int) -> tuple[arb, arb, list[arb]]:
     block = hill(lam, mu, size, size)
     floats = np.array([[float(x.p) / float(x.q) for x in row] for row in block])
     values = np.linalg.eigvalsh(floats)
     beta = arb(float(values[0] + values[1]) / 2)
     vector = _eigenvector(block, floats, values[0], digits)
-    image = arb_mat([[arb(x) for x in row] for row in hill(lam, mu, size + 2, size)])
-    image = [x[0] for x in (image * arb_mat([[x] for x in vector])).tolist()]
+    corner = arb_mat([[arb(x) for x in row] for row in hill(lam, mu, size + 2, size)])
+    image = [x[0] for x in (corner * arb_mat([[x] for x in vector])).tolist()]
     square = sum((x * x for x in vector), arb(0))
     eta = sum((x * y for x, y in zip(vector, image)), arb(0)) / square
     rest = [y - eta * x for x, y in zip([*vector, arb(0), arb(0)], image)]
@@ -174,7 +178,7 @@ def _prove(lam, mu, size, digits):
     return low.union(eta), beta, vector
 
 
-def _eigenvector(block, floats, value, digits):
+def _eigenvector(block: list[list[fmpq]], floats: Array, value: float, digits: int) -> list[arb]:
     """Inverse iteration with a shift close by: each step gains some nine digits."""
     size = len(block)
     shift = arb(float(value) - 1e-9 * (1 + abs(float(value))))
@@ -189,7 +193,7 @@ def _eigenvector(block, floats, value, digits):
     return [v[i, 0] for i in range(size)]
 
 
-def _at_most_one_below(beta, block, lam, mu, size):
+def _at_most_one_below(beta: arb, block: list[list[fmpq]], lam: fmpq, mu: fmpq, size: int) -> None:
     """Raise :class:`NotProved` unless the pivots show one negative eigenvalue."""
     c = arb(lam**2 / 2 + abs(lam**4 * mu) / 2)
     tau = (2 * size + 1) ** 2 - 2 * c - beta

@@ -14,6 +14,8 @@ Why A is injective when it is a finite block a and an invertible tail: Z_1 < 1 m
 invertible, so A is onto, so a is onto, and a square matrix that is onto is injective.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 from flint import arb
@@ -36,7 +38,7 @@ class Bounds:
     largest: arb
 
 
-def radius(bounds):
+def radius(bounds: Bounds) -> tuple[arb, arb]:
     """The interval (r₋, r₊) of radii for which the theorem holds, as exact numbers.
 
     r₋ says how close the true solution is, r₊ how far it is alone.

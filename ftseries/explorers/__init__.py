@@ -8,7 +8,10 @@ from .coefficients import coefficients
 from .convergence import convergence
 from .cubic import cubic
 from .figure_eight import figure_eight
+from .force_exponent import force_exponent
 from .mathieu import mathieu
 from .stability import stability
+from .van_der_pol import van_der_pol
 
-__all__ = ["coefficients", "convergence", "cubic", "figure_eight", "mathieu", "stability"]
+__all__ = ["coefficients", "convergence", "cubic", "figure_eight", "force_exponent",
+           "mathieu", "stability", "van_der_pol"]

@@ -29,12 +29,16 @@ the power k of the problem's parameter (0 where it has none).  Floats are exact 
 NaN survives: the page says what is wrong instead of failing to load.
 """
 
+from __future__ import annotations
+
 import base64
 import io
 import re
+from collections.abc import Callable, Mapping, Sequence
 from functools import reduce
 from importlib import resources
 from math import gcd
+from typing import Any
 
 import anywidget
 import ipywidgets
@@ -42,6 +46,7 @@ import numpy as np
 import traitlets
 from matplotlib.figure import Figure
 
+from ..aliases import Json
 from ..conversion import to_float
 from ..errors import InputError
 from ..figures import style
@@ -55,7 +60,7 @@ _EXPORT = re.compile(r"^export (?!default)", re.MULTILINE)
 _COMMENT = re.compile(r"^ *//.*\n", re.MULTILINE)
 
 
-def bundle(*names):
+def bundle(*names: str) -> str:
     """The scripts ``js/<name>`` as one module: a widget's module cannot import its neighbours.
 
     Each script is a module of its own, for editors; here its imports and comments are dropped, and
@@ -79,24 +84,24 @@ class View(anywidget.AnyWidget):
         Files in ``js/``; the last one has ``export default {render: …}``.
     """
 
-    scripts = ()
+    scripts: tuple[str, ...] = ()
     data = traitlets.Dict().tag(sync=True)
     order = traitlets.Int(0).tag(sync=True)
 
-    def __init_subclass__(cls, **kwargs):
+    def __init_subclass__(cls, **kwargs: Any) -> None:
         if "scripts" in cls.__dict__:
             cls._esm = bundle(*SHARED, *cls.scripts)
             cls._css = (resources.files(__package__) / "js" / "explorers.css").read_text("utf-8")
         super().__init_subclass__(**kwargs)
 
-    def __init__(self, **traits):
+    def __init__(self, **traits: Any) -> None:
         try:
             super().__init__(**traits)
         except traitlets.TraitError as error:
             raise InputError(str(error)) from None
 
 
-class Explorer(ipywidgets.VBox):
+class Explorer(ipywidgets.VBox):  # type: ignore[misc]     # ipywidgets has no types
     """Controls above a view, with a picture for where no JavaScript runs, such as print.
 
     Parameters
@@ -111,7 +116,8 @@ class Explorer(ipywidgets.VBox):
         What the picture shows, in words.
     """
 
-    def __init__(self, controls, view, picture, alt):
+    def __init__(self, controls: Sequence[Any], view: View, picture: Callable[[], bytes],
+                 alt: str) -> None:
         self.view, self.picture, self.alt = view, picture, alt
         self.controls = {control.description: control for control in controls}
         row = ipywidgets.Box(controls)
@@ -119,17 +125,17 @@ class Explorer(ipywidgets.VBox):
         super().__init__([row, view])
         self.add_class("ft-explorer")
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"Explorer. {self.alt}"
 
-    def _repr_mimebundle_(self, **kwargs):
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
         bundle = super()._repr_mimebundle_(**kwargs)
         bundle["text/plain"] = repr(self)
         bundle["image/png"] = base64.b64encode(self.picture()).decode()
         return bundle, {"image/png": {"alt": self.alt}}
 
 
-def picture(draw, panels=1):
+def picture(draw: Callable[..., None], panels: int = 1) -> Callable[[], bytes]:
     """A function that draws ``panels`` axes side by side in the book's style, as a PNG file.
 
     Examples
@@ -137,7 +143,7 @@ def picture(draw, panels=1):
     >>> picture(lambda axes: axes.plot([0, 1]))()[:4]
     b'\\x89PNG'
     """
-    def png():
+    def png() -> bytes:
         file = io.BytesIO()
         with style.context():
             figure = Figure(figsize=(2 + 3.6 * panels, 3.6), layout="constrained")
@@ -147,7 +153,7 @@ def picture(draw, panels=1):
     return png
 
 
-def link(control, view, trait):
+def link(control: Any, view: View, trait: str) -> Any:
     """Give ``control`` the value of the view's trait and tie both in the browser.
 
     Raises
@@ -164,7 +170,7 @@ def link(control, view, trait):
     return control
 
 
-def pack(solution, *names):
+def pack(solution: Solution, *names: str) -> dict[str, Json]:
     """``{name: packed series}`` of a solution's unknowns, for ``View.data``.
 
     Examples
@@ -178,7 +184,7 @@ def pack(solution, *names):
     return {name: packed(_table(solution, name), solution.order) for name in names}
 
 
-def packed(table, order):
+def packed(table: Mapping[tuple[int, int, int], Mapping[int, float]], order: int) -> Json:
     """A table ``{(sine, n, k): {m: coefficient of λ^m}}`` in the packed format."""
     rows, values = [], []
     for (sine, n, k), row in sorted(table.items()):
@@ -193,13 +199,13 @@ def packed(table, order):
     return {"order": order, "rows": rows, "values": base64.b64encode(data).decode()}
 
 
-def _table(solution, name):
+def _table(solution: Solution, name: str) -> dict[tuple[int, int, int], dict[int, float]]:
     """``{(sine, n, k): {m: float}}``: the coefficients of λ^m μ^k cos nωt, in the paper's units."""
     if len(solution.problem.parameters) > 1:
         raise InputError(f"{solution.problem!r} has several parameters; give all but one a value")
     if not solution.problem.parameters:
         return {(*mode, 0): dict(enumerate(row)) for mode, row in solution.table(name).items()}
-    table = {}
+    table: dict[tuple[int, int, int], dict[int, float]] = {}
     for m, row in enumerate(solution.coefficients[name]):
         unit = float(solution.problem.unit(name, m))
         for mode, polynomial in row.items():

@@ -1,11 +1,17 @@
 """The triangle of coefficients of any solution, order by order."""
 
+from __future__ import annotations
+
 import re
+from collections.abc import Mapping
+from typing import Any
 
 import ipywidgets
 import numpy as np
 import traitlets
+from matplotlib.axes import Axes
 
+from ..aliases import Mode
 from ..errors import InputError
 from ..problem import Scalar
 from ..solution import Solution
@@ -32,7 +38,8 @@ class CoefficientsView(View):
     playing = traitlets.Bool(False).tag(sync=True)
 
 
-def coefficients(solution, name, order=None, **parameters):
+def coefficients(solution: Solution, name: str, order: int | None = None,
+                 **parameters: float) -> Explorer:
     """Explore the coefficients A_{n,m} of one unknown of a solution as the order grows.
 
     Parameters
@@ -75,27 +82,27 @@ def coefficients(solution, name, order=None, **parameters):
                     "order m and Fourier order n, coloured by size.")
 
 
-def _text(solution, name, scalar, sine, n, m):
+def _text(solution: Solution, name: str, scalar: bool, sine: int, n: int, m: int) -> str:
     orders = (m,) if scalar else (n, m)
     number = solution.coefficient(name, *orders, **({} if scalar else {"sine": bool(sine)}))
     return _short(_sign(repr(number) if isinstance(number, float) else str(number)))
 
 
-def _sign(text):
+def _sign(text: str) -> str:
     text = re.sub(r"\bsqrt\((\w+)\)", r"√\1", re.sub(r"\b3\*\*\(1/3\)", "∛3", text))
     for code, sign in SIGNS.items():
         text = text.replace(code, sign)
     return text
 
 
-def _short(text):
+def _short(text: str) -> str:
     if len(text) <= LONGEST:
         return text
     half = LONGEST // 2
     return f"{text[:half]} … {text[-half:]} ({len(text)} characters)"
 
 
-def _draw(axes, table, order):
+def _draw(axes: Axes, table: Mapping[Mode, Any], order: int) -> None:
     size = np.full((max(n for _, n in table) + 1, order + 1), np.nan)
     for (_, n), row in table.items():
         row, known = np.asarray(row), np.flatnonzero(row)

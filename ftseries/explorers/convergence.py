@@ -1,8 +1,13 @@
 """The explorer of convergence: poles of Padé approximants, the circle, the error by order."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import ipywidgets
 import numpy as np
 import traitlets
+from matplotlib.axes import Axes
 
 from .. import analysis
 from ..errors import InputError
@@ -24,14 +29,14 @@ class ConvergenceView(View):
     scripts = ("convergence.js",)
     radius = traitlets.Float().tag(sync=True)
     physical = traitlets.Float().tag(sync=True)
-    orders = traitlets.List().tag(sync=True)
-    poles = traitlets.List().tag(sync=True)
-    zeros = traitlets.List().tag(sync=True)
-    plain = traitlets.List().tag(sync=True)
-    resummed = traitlets.List().tag(sync=True)
+    orders: traitlets.List[Any] = traitlets.List().tag(sync=True)
+    poles: traitlets.List[Any] = traitlets.List().tag(sync=True)
+    zeros: traitlets.List[Any] = traitlets.List().tag(sync=True)
+    plain: traitlets.List[Any] = traitlets.List().tag(sync=True)
+    resummed: traitlets.List[Any] = traitlets.List().tag(sync=True)
 
 
-def convergence(sol, order=40):
+def convergence(sol: Solution, order: int = 40) -> Explorer:
     """Explore how the closure S(λ) of the eight converges, plain and by Padé approximants.
 
     Parameters
@@ -52,7 +57,7 @@ def convergence(sol, order=40):
     >>> explorer.controls["order"].max, explorer.view.order
     (40, 24)
     """
-    if (not isinstance(sol, Solution) or not isinstance(sol.problem, FigureEight)
+    if (not isinstance(sol, Solution) or repr(sol.problem) != repr(FigureEight())
             or sol.arithmetic != "exact" or sol.order < 24):
         raise InputError(f"{sol!r}: give an exact solution of FigureEight, of order 24 or more")
     if order not in range(FIRST, sol.order + 1):
@@ -62,7 +67,7 @@ def convergence(sol, order=40):
     controls = [link(ipywidgets.IntSlider(description="order", min=FIRST, max=sol.order, step=2),
                      view, "order")]
 
-    def draw(left, right):
+    def draw(left: Axes, right: Axes) -> None:
         i = data["orders"].index(view.order)
         turn = np.linspace(0, 2 * np.pi, 181)
         left.plot(data["radius"] * np.cos(turn), data["radius"] * np.sin(turn), linewidth=0.8)
@@ -84,7 +89,7 @@ def convergence(sol, order=40):
                     "the true λ by order, truncated and by Padé approximants.")
 
 
-def _by_order(sol):
+def _by_order(sol: Solution) -> Any:
     """All that the page shows, for every second order; S in units of S(0)."""
     _, _, c = sol.expand(sol.problem.condition)
     z = newton.figure_eight_lambda() ** 2
@@ -103,6 +108,6 @@ def _by_order(sol):
     }
 
 
-def _inside(points):
+def _inside(points: Any) -> Any:
     return [[float(p.real), float(p.imag)] for p in points
             if max(abs(p.real), abs(p.imag)) <= WINDOW]

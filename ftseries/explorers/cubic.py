@@ -1,7 +1,10 @@
 """The explorer of the cubic oscillator, section 2 of the paper, in units in which a = 1."""
 
+from __future__ import annotations
+
 import ipywidgets
 import traitlets
+from matplotlib.axes import Axes
 
 from ..figures import cubic as figures
 from ..problems import CubicOscillator
@@ -22,7 +25,7 @@ class CubicView(View):
     playing = traitlets.Bool(False).tag(sync=True)
 
 
-def cubic(order=12, lam=1.0, stored=60):
+def cubic(order: int = 12, lam: float = 1.0, stored: int = 60) -> Explorer:
     """Explore the cubic oscillator: λ from 0 past 3a, orders up to ``stored``.
 
     Parameters
@@ -53,7 +56,7 @@ def cubic(order=12, lam=1.0, stored=60):
         link(ipywidgets.ToggleButton(description="Play"), view, "playing"),
     ]
 
-    def draw(left, right):
+    def draw(left: Axes, right: Axes) -> None:
         figures.potential(left, lam)
         figures.oscillation(right, solution.truncate(order), lam)
 

@@ -1,10 +1,14 @@
 """The explorer of the figure eight, section 4 of the paper: three bodies and their chain."""
 
+from __future__ import annotations
+
 import warnings
+from typing import Any
 
 import ipywidgets
 import numpy as np
 import traitlets
+from matplotlib.axes import Axes
 
 from ..errors import ConvergenceWarning, InputError
 from ..figures.style import BLUE, GREEN, GREY, PURPLE, VERMILION
@@ -47,7 +51,7 @@ class FigureEightView(View):
     clock = traitlets.Float(0.0).tag(sync=True)
 
 
-def figure_eight(order=12, lam=1.7, t=0.6, stored=60):
+def figure_eight(order: int = 12, lam: float = 1.7, t: float = 0.6, stored: int = 60) -> Explorer:
     """Explore the figure eight: λ from 0 past the zero of S_x, orders up to ``stored``.
 
     The relative vectors are laid head to tail; where they close, and only there, the bodies of
@@ -100,7 +104,7 @@ def figure_eight(order=12, lam=1.7, t=0.6, stored=60):
     ]
     shown = solution.truncate(order)
 
-    def draw(left, right):
+    def draw(left: Axes, right: Axes) -> None:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ConvergenceWarning)
             _bodies(left, shown, lam, t)
@@ -112,7 +116,7 @@ def figure_eight(order=12, lam=1.7, t=0.6, stored=60):
                     "S; right, the gap against λ, with its zero.")
 
 
-def _orbit(order):
+def _orbit(order: int) -> Any:
     """r_3 of Newton's equations, packed as sine series "x" and "y" that do not depend on λ."""
     parts = {"x": newton.figure_eight_coefficients().real,
              "y": newton.figure_eight_coefficients().imag}
@@ -120,7 +124,7 @@ def _orbit(order):
             for name, part in parts.items()}
 
 
-def _bodies(ax, sol, lam, t):
+def _bodies(ax: Axes, sol: Any, lam: float, t: float) -> None:
     """The bodies on their orbit; r_23, r_12, r_31 head to tail, the gap centred on body 3."""
     bodies, (r_12, r_23, r_31) = positions(sol, t, lam), relative(sol, t, lam)
     S = r_12 + r_23 + r_31
@@ -149,7 +153,7 @@ def _bodies(ax, sol, lam, t):
     ax.legend(loc="lower right", fontsize=8, handlelength=2)
 
 
-def _closure(ax, sol, lam):
+def _closure(ax: Axes, sol: Any, lam: float) -> None:
     values = np.linspace(*RANGE, 93)
     ax.plot(values, closure(sol, values), color=BLUE, ls="-")
     ax.axhline(0, color=GREY, lw=0.8, ls="-")

@@ -1,8 +1,13 @@
 """The explorer of the generalized Mathieu equation, section 3 of the paper."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import ipywidgets
 import numpy as np
 import traitlets
+from matplotlib.axes import Axes
 
 from ..errors import FTSeriesError
 from ..figures import mathieu as figures
@@ -29,7 +34,7 @@ class MathieuView(View):
     region = traitlets.Dict().tag(sync=True)
 
 
-def mathieu(order=12, lam=2.0, mu=-0.3, stored=60):
+def mathieu(order: int = 12, lam: float = 2.0, mu: float = -0.3, stored: int = 60) -> Explorer:
     """Explore the lowest odd solution of (M1): λ up to 3, |μ| up to 1/2, orders up to ``stored``.
 
     Parameters
@@ -61,7 +66,7 @@ def mathieu(order=12, lam=2.0, mu=-0.3, stored=60):
         link(ipywidgets.IntSlider(description="order", min=2, max=stored), view, "order"),
     ]
 
-    def draw(left, right):
+    def draw(left: Axes, right: Axes) -> None:
         x = np.linspace(0, 2 * np.pi, 181)
         exact, series = hill.eigenfunction(x, lam, mu), solution.truncate(order)
         figures.potential(left, [(lam, mu)])
@@ -75,7 +80,7 @@ def mathieu(order=12, lam=2.0, mu=-0.3, stored=60):
                     f"series of order {order} and by the Hill matrix.")
 
 
-def region(points=21, order=99):
+def region(points: int = 21, order: int = 99) -> Any:
     """The radius of convergence in λ of the eigenvalue for some μ: ``{"mu": […], "radius": […]}``.
 
     Examples
@@ -85,7 +90,7 @@ def region(points=21, order=99):
     >>> round(region(points=3)["radius"][1], 3)     # √(2 · 3.76995749), DLMF table 28.6.1
     2.746
     """
-    found = {"mu": [], "radius": []}
+    found: dict[str, list[float]] = {"mu": [], "radius": []}
     for mu in np.linspace(-WIDEST, WIDEST, points).round(6).tolist():
         solution = solve(GeneralizedMathieu(mu=mu), order=order, arithmetic="float")
         try:

@@ -1,8 +1,11 @@
 """The explorer of Floquet's theory: the multipliers of (M1) on the unit circle and off it."""
 
+from __future__ import annotations
+
 import ipywidgets
 import numpy as np
 import traitlets
+from matplotlib.axes import Axes
 
 from .. import stability as floquet
 from .base import Explorer, View, link, picture
@@ -21,7 +24,7 @@ class StabilityView(View):
     mu = traitlets.Float(-0.3).tag(sync=True)
 
 
-def stability(a=2.9, lam=2.0, mu=-0.3):
+def stability(a: float = 2.9, lam: float = 2.0, mu: float = -0.3) -> Explorer:
     """Explore Hill's equation (M1): the multipliers as a moves through bands and gaps.
 
     Parameters
@@ -50,7 +53,7 @@ def stability(a=2.9, lam=2.0, mu=-0.3):
              view, "mu"),
     ]
 
-    def draw(left, right):
+    def draw(left: Axes, right: Axes) -> None:
         energies = np.linspace(LOWEST, HIGHEST, 81)
         left.plot(energies, [floquet.hill(e, lam, mu).discriminant for e in energies])
         for level in (-2, 2):

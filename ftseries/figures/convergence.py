@@ -1,7 +1,14 @@
 """Pictures of the chapter on convergence: ratios, singularities, errors against order."""
 
-import numpy as np
+from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from ..aliases import ArrayLike
 from ..analysis import domb_sykes
 from .style import BLUE, COLOURS, GREEN, GREY, LINES, PURPLE, VERMILION
 
@@ -10,7 +17,7 @@ __all__ = ["ratios", "approach", "plane", "radius", "oscillation", "errors"]
 _MARKS = ("o", "s", "^", "D")
 
 
-def ratios(left, right, sequences, limit):
+def ratios(left: Axes, right: Axes, sequences: Mapping[str, Sequence[Any]], limit: float) -> None:
     """The plot of Domb and Sykes on ``left``, the exponents that single ratios give on ``right``.
 
     Points c_k/c_{k-1} over 1/k, one set for each of the ``sequences``, a dict from a label to
@@ -24,7 +31,8 @@ def ratios(left, right, sequences, limit):
     """
     for (label, c), colour, mark in zip(sequences.items(), COLOURS, _MARKS, strict=False):
         x, y = np.transpose(domb_sykes(c))
-        look = {"color": colour, "marker": mark, "ms": 5, "mfc": "none", "ls": "none"}
+        look: dict[str, Any] = {"color": colour, "marker": mark, "ms": 5, "mfc": "none",
+                                "ls": "none"}
         left.plot(x, y, label=label, **look)
         right.plot(x, (1 - y / limit) / x - 1, label=label, **look)
     left.axhline(limit, color=GREY, ls=":", lw=1.2)
@@ -35,7 +43,7 @@ def ratios(left, right, sequences, limit):
     left.legend()
 
 
-def approach(ax, distance, errors, label):
+def approach(ax: Axes, distance: ArrayLike, errors: Any, label: str) -> None:
     """Errors over the distance from a singularity, both logarithmic; ``errors``: dict of arrays."""
     for (name, values), colour, line, mark in zip(errors.items(), COLOURS, LINES, _MARKS,
                                                   strict=False):
@@ -46,7 +54,9 @@ def approach(ax, distance, errors, label):
     ax.legend()
 
 
-def plane(ax, singularities, poles=(), inside=None, span=None, label="$z$"):
+def plane(ax: Axes, singularities: Sequence[complex], poles: ArrayLike = (),
+          inside: Mapping[str, complex] | None = None, span: float | None = None,
+          label: str = "$z$") -> None:
     """The complex plane with poles, singularities, and the circle through the nearest of them.
 
     ``inside`` maps labels to further points, such as the physical value.
@@ -67,7 +77,7 @@ def plane(ax, singularities, poles=(), inside=None, span=None, label="$z$"):
     ax.legend(loc="center left", bbox_to_anchor=(1, 0.5))
 
 
-def radius(ax, mu, values, errors, known):
+def radius(ax: Axes, mu: ArrayLike, values: ArrayLike, errors: Any, known: ArrayLike) -> None:
     """Radius of convergence over μ with error bars; ``known``: (μ, radius) from elsewhere."""
     ax.errorbar(mu, values, yerr=errors, color=BLUE, marker="o", ms=4, lw=1.5, capsize=3,
                 label="from the series")
@@ -77,7 +87,8 @@ def radius(ax, mu, values, errors, known):
     ax.legend()
 
 
-def oscillation(ax, orders, seen, predicted):
+def oscillation(ax: Axes, orders: ArrayLike, seen: ArrayLike,
+                predicted: tuple[ArrayLike, ArrayLike]) -> None:
     """A scaled error over the order: points, and the curve that the branch points predict."""
     ax.plot(*predicted, color=VERMILION, ls="-", lw=1.5, label="predicted period")
     ax.plot(orders, seen, "o", color=BLUE, ms=5, ls="none", label="seen")
@@ -86,7 +97,8 @@ def oscillation(ax, orders, seen, predicted):
     ax.legend()
 
 
-def errors(ax, curves, label="largest distance"):
+def errors(ax: Axes, curves: Mapping[str, tuple[ArrayLike, ArrayLike]],
+           label: str = "largest distance") -> None:
     """Errors over the order; ``curves`` maps a label to (orders, errors)."""
     for (name, (orders, values)), colour, line, mark in zip(
             curves.items(), (BLUE, VERMILION, GREEN, PURPLE), LINES, _MARKS, strict=False):

@@ -4,17 +4,28 @@ Lengths are in the unit of a, times in that of 1/√a. `sol` is a solution of `C
 a is a number; the exact motion is that of `ftseries.references`.
 """
 
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
 import mpmath
 import numpy as np
+from matplotlib.axes import Axes
+from numpy.typing import NDArray
 
+from ..aliases import ArrayLike
 from ..errors import InputError
 from ..references import cubic, weierstrass
 from . import style
 
+if TYPE_CHECKING:
+    from ..solution import Solution
+
 __all__ = ["potential", "oscillation", "difference", "coefficients", "frequency", "largest_error"]
 
 
-def potential(ax, lam, a=1):
+def potential(ax: Axes, lam: float, a: float = 1) -> None:
     """V(x) of (C1), the energy (C2) and the turning points; the paper's figure 1.
 
     >>> from matplotlib.figure import Figure
@@ -43,7 +54,7 @@ def potential(ax, lam, a=1):
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
 
 
-def oscillation(ax, sol, lam, periods=2):
+def oscillation(ax: Axes, sol: Solution, lam: float, periods: float = 2) -> None:
     """x(t) by the series and by (C12); the paper's figure 2."""
     t = _times(sol, lam, periods, 240)
     for level in cubic.turning_points(lam, _a(sol)):
@@ -56,7 +67,8 @@ def oscillation(ax, sol, lam, periods=2):
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
 
 
-def difference(ax, sol, lam, dps=None, periods=2):
+def difference(ax: Axes, sol: Solution, lam: float, dps: int | None = None,
+               periods: float = 2) -> None:
     """Series minus (C12); the paper's figure 3.
 
     Without `dps` the series is summed in double precision, whose rounding is then all one sees;
@@ -73,18 +85,19 @@ def difference(ax, sol, lam, dps=None, periods=2):
     ax.legend(loc="lower right", bbox_to_anchor=(1, 1))
 
 
-def coefficients(ax, sol):
+def coefficients(ax: Axes, sol: Solution) -> None:
     """The size of every A_{n,m} of (C5a), by colour; coefficients that vanish are left blank."""
     table = sol.table("x")
     size = np.full((sol.order + 1, sol.order + 1), np.nan)
     for (_, n), row in table.items():
-        size[n, np.nonzero(row)] = np.log10(np.abs(row)[np.nonzero(row)])
+        found = np.flatnonzero(row)
+        size[n, found] = np.log10(np.abs(row)[found])
     image = ax.imshow(size, origin="lower", aspect="equal")
     ax.figure.colorbar(image, ax=ax, label=r"$\log_{10}\,|A_{n,m}|$")
     ax.set(xlabel="Taylor order $m$", ylabel="Fourier order $n$")
 
 
-def frequency(ax, sol, orders):
+def frequency(ax: Axes, sol: Solution, orders: Sequence[int]) -> None:
     """ω against λ/(3a): exact by (C9b), and the series cut at each of `orders`."""
     a = _a(sol)
     lam = 3 * a * np.linspace(0, 0.9999, 500)
@@ -97,7 +110,8 @@ def frequency(ax, sol, orders):
     ax.legend(loc="lower left")
 
 
-def largest_error(ax, sol, orders, ratios, dps=40, samples=16):
+def largest_error(ax: Axes, sol: Solution, orders: Sequence[int], ratios: ArrayLike,
+                  dps: int | None = 40, samples: int = 16) -> None:
     """The largest error of x(t) over one period against λ/(3a) = `ratios`, for some orders.
 
     It is computed with `dps` digits, from `samples` equal parts of the period.
@@ -116,15 +130,17 @@ def largest_error(ax, sol, orders, ratios, dps=40, samples=16):
     ax.legend(loc="lower right")
 
 
-def _a(sol):
+def _a(sol: Solution) -> float:
+    a: Any = getattr(sol.problem, "a", None)
     try:
-        return float(sol.problem.a)
+        return float(a)
     except TypeError:
-        raise InputError(f"a={sol.problem.a} is a symbol: a picture needs a solution whose a is a "
+        raise InputError(f"a={a} is a symbol: a picture needs a solution whose a is a "
                          "number, such as CubicOscillator(a=1)") from None
 
 
-def _times(sol, lam, periods, parts, dps=None):
+def _times(sol: Solution, lam: float, periods: float, parts: int,
+           dps: int | None = None) -> NDArray[Any]:
     """`parts` + 1 equal steps from 0 to the end of `periods` exact periods."""
     if dps is None:
         return np.linspace(0, periods * cubic.period(lam, _a(sol)), parts + 1)
@@ -133,5 +149,5 @@ def _times(sol, lam, periods, parts, dps=None):
         return np.array([end * k / parts for k in range(parts + 1)])
 
 
-def _exact(t, sol, lam, dps):
+def _exact(t: Any, sol: Solution, lam: float, dps: int | None) -> NDArray[Any]:
     return np.array([weierstrass.position(s, lam, _a(sol), dps) for s in t])

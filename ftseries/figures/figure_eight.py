@@ -5,14 +5,23 @@ Points of the plane are complex numbers x + iy; positions have the shape (3,) + 
 them.
 """
 
+from __future__ import annotations
+
 import warnings
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 
+from ..aliases import Array, ArrayLike, ComplexArray
 from ..errors import ConvergenceWarning
 from ..problems import figure_eight as eight
 from .style import BLUE, COLOURS, GREEN, GREY, LINES, VERMILION
+
+if TYPE_CHECKING:
+    from ..solution import Solution
 
 __all__ = ["choreography", "orbits", "closure", "zeros", "distance", "head_to_tail", "drift",
            "convergence", "emblem"]
@@ -20,7 +29,7 @@ __all__ = ["choreography", "orbits", "closure", "zeros", "distance", "head_to_ta
 PERIOD = np.linspace(0, 2 * np.pi, 1201)
 
 
-def choreography(ax, positions):
+def choreography(ax: Axes, positions: Callable[[Any], ComplexArray]) -> None:
     """The eight lying, as in the paper's first figure, with the bodies at t = 0 and t = 2π/12.
 
     ``positions`` is a function of time that gives the three upright positions.
@@ -38,7 +47,7 @@ def choreography(ax, positions):
     _plane(ax, "$y$", "$-x$")
 
 
-def orbits(ax, curves):
+def orbits(ax: Axes, curves: Mapping[str, ComplexArray]) -> None:
     """Upright orbits on top of one another; ``curves`` maps labels to closed curves."""
     for (label, z), colour, line in zip(curves.items(), (BLUE, VERMILION, GREEN), LINES,
                                         strict=False):
@@ -48,9 +57,9 @@ def orbits(ax, curves):
     ax.legend(loc="center left", bbox_to_anchor=(1, 0.5))
 
 
-def closure(ax, sol, orders, lam):
+def closure(ax: Axes, sol: Solution, orders: Sequence[int], lam: Array) -> None:
     """S_x(λ) at the values ``lam`` for ``sol`` cut at several orders; an inset shows the zero."""
-    inset = ax.inset_axes([0.13, 0.12, 0.5, 0.4])
+    inset = ax.inset_axes((0.13, 0.12, 0.5, 0.4))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ConvergenceWarning)   # the curves go past the radius
         curves = [(n, eight.closure(sol.truncate(n), lam)) for n in orders]
@@ -71,7 +80,7 @@ def closure(ax, sol, orders, lam):
     ax.legend(loc="upper right")
 
 
-def zeros(ax, found, mean, limit):
+def zeros(ax: Axes, found: Mapping[int, float], mean: float, limit: float) -> None:
     """Zeros λ_n over the order n (``found``: dict from n to λ_n), their mean and their limit."""
     ax.axhline(mean, color=VERMILION, ls=LINES[1], lw=1.2, label="mean $\\lambda_1$")
     ax.axhline(limit, color=GREEN, ls=LINES[2], lw=1.5, label=r"true orbit $\lambda_0$")
@@ -80,7 +89,7 @@ def zeros(ax, found, mean, limit):
     ax.legend()
 
 
-def distance(ax, t, gap):
+def distance(ax: Axes, t: Any, gap: Array) -> None:
     """A distance over one period, in thousandths."""
     ax.plot(t, 1e3 * gap, color=BLUE)
     ax.set(xlabel="$t$", ylabel=r"distance $\times\,10^{3}$", xlim=(t[0], t[-1]), ylim=(0, None))
@@ -88,7 +97,7 @@ def distance(ax, t, gap):
                   ["0", *(f"${n}\\pi/3$" if n > 1 else r"$\pi/3$" for n in range(1, 6)), r"$2\pi$"])
 
 
-def head_to_tail(ax, relative, origin=0):
+def head_to_tail(ax: Axes, relative: ComplexArray, origin: complex = 0) -> None:
     """r_12, r_23, r_31 (``relative``) one after the other from ``origin``, and the gap S."""
     corners = origin + np.concatenate([[0], np.cumsum(relative)])
     labels = ((r"$\mathbf{r}_{12}$", (-14, 0)), (r"$\mathbf{r}_{23}$", (0, 9)),
@@ -103,7 +112,7 @@ def head_to_tail(ax, relative, origin=0):
             ls=LINES[2], label=r"gap $\mathbf{S}$")
 
 
-def drift(ax, lam, spreads):
+def drift(ax: Axes, lam: Array, spreads: Mapping[str, ArrayLike]) -> None:
     """What Newton's equations conserve, and how much it varies over a period, for each λ.
 
     ``spreads`` maps a name to values over ``lam``.
@@ -115,20 +124,21 @@ def drift(ax, lam, spreads):
     ax.legend()
 
 
-def convergence(ax, orders, errors):
+def convergence(ax: Axes, orders: Sequence[int], errors: ArrayLike) -> None:
     """|λ_n - λ_0| over the order n."""
     ax.semilogy(orders, errors, ".", color=BLUE)
     ax.set(xlabel="order $n$", ylabel=r"$|\lambda_n-\lambda_0|$", xlim=(0, None))
 
 
-def emblem(ax, positions):
+def emblem(ax: Axes, positions: Callable[[Any], ComplexArray]) -> None:
     """Three bodies on the lying eight, each with a fading trail, without axes."""
     _orbit(ax, _lying(positions, PERIOD)[2], color=GREY, lw=1.5)
     tail = np.linspace(-0.9, 0.25, 60)
     bodies = _lying(positions, tail)
     for path, colour in zip(bodies, COLOURS, strict=False):
         points = np.stack([path.real, path.imag], axis=1)
-        ax.add_collection(LineCollection(np.stack([points[:-1], points[1:]], axis=1), colors=colour,
+        pieces = list(np.stack([points[:-1], points[1:]], axis=1))
+        ax.add_collection(LineCollection(pieces, colors=colour,
                                          linewidths=np.linspace(1.5, 7, len(tail) - 1),
                                          alpha=np.linspace(0, 0.8, len(tail) - 1)))
         ax.plot(*points[-1], "o", color=colour, ms=18)
@@ -137,20 +147,20 @@ def emblem(ax, positions):
     ax.set_axis_off()
 
 
-def _lying(positions, t):
+def _lying(positions: Callable[[Any], ComplexArray], t: Any) -> ComplexArray:
     """Turned clockwise by a right angle."""
     return -1j * positions(t)
 
 
-def _orbit(ax, z, **look):
+def _orbit(ax: Axes, z: ComplexArray, **look: Any) -> None:
     ax.plot(z.real, z.imag, **look)
 
 
-def _plane(ax, x, y):
+def _plane(ax: Axes, x: str, y: str) -> None:
     ax.set(xlabel=x, ylabel=y, aspect="equal")
 
 
-def _arrow(ax, start, end, colour):
+def _arrow(ax: Axes, start: complex, end: complex, colour: str) -> None:
     ax.plot(end.real, end.imag, alpha=0)                    # lets the axes grow to hold the arrow
     ax.annotate("", (end.real, end.imag), (start.real, start.imag),
                 arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 2, "shrinkA": 0,

@@ -1,13 +1,21 @@
 """The pictures of the chapters "Your own equation" and "Gallery"."""
 
-import numpy as np
+from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from ..aliases import ArrayLike
 from .style import COLOURS, GREY, LINES
 
 __all__ = ["curves", "orbits", "plane"]
 
 
-def curves(ax, x, named, points=(), xlabel="λ", ylabel="frequency ω"):
+def curves(ax: Axes, x: ArrayLike, named: Mapping[str, ArrayLike],
+           points: Sequence[tuple[float, float]] = (), xlabel: str = "λ",
+           ylabel: str = "frequency ω") -> None:
     """Functions of one variable, and points that were found by other means.
 
     Parameters
@@ -35,7 +43,8 @@ def curves(ax, x, named, points=(), xlabel="λ", ylabel="frequency ω"):
     ax.legend()
 
 
-def orbits(ax, named, xlabel="x", ylabel="y", equal=True):
+def orbits(ax: Axes, named: Mapping[str, tuple[ArrayLike, ArrayLike]], xlabel: str = "x",
+           ylabel: str = "y", equal: bool = True) -> None:
     """Closed curves in a plane, each a pair of arrays, with its label.
 
     Examples
@@ -55,7 +64,7 @@ def orbits(ax, named, xlabel="x", ylabel="y", equal=True):
     ax.legend()
 
 
-def plane(ax, places, radius, label):
+def plane(ax: Axes, places: Sequence[complex], radius: float, label: str) -> None:
     """Singularities in a complex plane, with the circle of convergence.
 
     Examples

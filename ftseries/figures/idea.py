@@ -1,14 +1,24 @@
 """The pictures of the chapter "The idea"."""
 
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
+from ..aliases import Array, ArrayLike
 from .style import COLOURS, GREY, LINES
+
+if TYPE_CHECKING:
+    from ..solution import Solution
 
 __all__ = ["coefficient_triangle", "period_error"]
 
 
-def coefficient_triangle(ax, sol, name, order):
+def coefficient_triangle(ax: Axes, sol: Solution, name: str, order: int) -> None:
     """Which A_{n,m} an unknown has: a disc for each, the larger the larger |A_{n,m}|.
 
     Crosses mark the places with n ≤ m whose coefficient is zero.
@@ -36,8 +46,10 @@ def coefficient_triangle(ax, sol, name, order):
     empty = [(m, n) for m in range(order + 1) for n in range(m + 1) if (m, n) not in size]
     decades = np.log10(list(size.values()))
     area = 12 + 260 * (decades - decades.min()) / max(np.ptp(decades), 1e-300)
-    ax.scatter(*zip(*size, strict=True), s=area, color=COLOURS[1], alpha=0.85, zorder=3)
-    ax.scatter(*zip(*empty, strict=True), s=14, color=GREY, marker="x", linewidths=0.8)
+    m, n = np.transpose(list(size))
+    ax.scatter(m, n, s=area, color=COLOURS[1], alpha=0.85, zorder=3)
+    m, n = np.transpose(empty)
+    ax.scatter(m, n, s=14, color=GREY, marker="x", linewidths=0.8)
     ax.plot([0, order], [0, order], color=COLOURS[0], linestyle=LINES[1], linewidth=1.2)
     ax.annotate("$n = m$", (0.72 * order, 0.72 * order), (-8, 8), textcoords="offset points",
                 ha="right", color=COLOURS[0])
@@ -47,7 +59,8 @@ def coefficient_triangle(ax, sol, name, order):
     ax.yaxis.set_major_locator(MaxNLocator(integer=True))
 
 
-def period_error(ax, sol, exact, lam, orders):
+def period_error(ax: Axes, sol: Solution, exact: Callable[[Array], Array], lam: ArrayLike,
+                 orders: Sequence[int]) -> None:
     """Relative error of the period 2π/ω over λ, one curve for each truncation.
 
     Errors below the rounding unit of float64 are drawn at that unit.

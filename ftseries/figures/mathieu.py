@@ -5,22 +5,31 @@ number n has the energy n². `sol` is a solution of `GeneralizedMathieu` with sy
 compared with is computed by `ftseries.references.mathieu`.
 """
 
+from __future__ import annotations
+
 import warnings
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.ticker import FuncFormatter
 
+from ..aliases import Array, ArrayLike, Real
 from ..errors import ConvergenceWarning
 from ..evaluation import amplitudes
 from ..references import mathieu
 from .style import BLUE, GREEN, GREY, LINES, PURPLE, VERMILION
 
+if TYPE_CHECKING:
+    from ..solution import Solution
+
 __all__ = ["potential", "error", "reach", "eigenvalue", "error_map", "numerical", "psi",
            "difference"]
 
 
-def potential(ax, points):
+def potential(ax: Axes, points: Sequence[tuple[float, float]]) -> None:
     """The potential λ² cos 2x + λ⁴ μ cos 4x, one line for each (λ, μ) of `points`.
 
     >>> from matplotlib.figure import Figure
@@ -37,7 +46,7 @@ def potential(ax, points):
     _legend_above(ax, len(points))
 
 
-def error(sol, lam, mu):
+def error(sol: Solution, lam: Any, mu: Any) -> Real:
     """|a - a of the Hill matrix| for arrays lam, mu that broadcast.
 
     >>> import ftseries as fts
@@ -47,7 +56,8 @@ def error(sol, lam, mu):
     return abs(_eigenvalue(sol, lam, mu) - mathieu.eigenvalue(lam, mu))
 
 
-def reach(sol, mu, tolerance=1e-3, largest=3.0, step=0.02):
+def reach(sol: Solution, mu: Any, tolerance: float = 1e-3, largest: float = 3.0,
+          step: float = 0.02) -> Array:
     """For each μ of an array, the λ up to which the series' a has an error below `tolerance`.
 
     The place is found on a grid of the given step, and in between by a straight line in log error;
@@ -68,7 +78,8 @@ def reach(sol, mu, tolerance=1e-3, largest=3.0, step=0.02):
     return place
 
 
-def eigenvalue(ax, sol, points=(), largest=0.4, tolerance=1e-3):
+def eigenvalue(ax: Any, sol: Solution, points: Sequence[tuple[float, float]] = (),
+               largest: float = 0.4, tolerance: float = 1e-3) -> None:
     """The paper's figure 4: a(λ, μ) as a surface, on a three-dimensional Axes.
 
     The surface covers |μ| ≤ `largest` and ends where the error exceeds `tolerance`. The line on it
@@ -97,7 +108,9 @@ def eigenvalue(ax, sol, points=(), largest=0.4, tolerance=1e-3):
     ax.legend(loc="upper center", ncols=2)
 
 
-def error_map(ax, sol, points=(), radius=None, closed=None, largest=0.5):
+def error_map(ax: Axes, sol: Solution, points: Sequence[tuple[float, float]] = (),
+              radius: float | None = None, closed: float | None = None,
+              largest: float = 0.5) -> None:
     """The error of a over the plane (λ, μ), with the line where it is 1e-3.
 
     `points` get marks, as does a known `radius` of convergence at μ = 0; `closed` is the μ of a
@@ -124,7 +137,7 @@ def error_map(ax, sol, points=(), radius=None, closed=None, largest=0.5):
     bar.outline.set_edgecolor(GREY)
 
 
-def numerical(sol, x, lam, mu):
+def numerical(sol: Solution, x: ArrayLike, lam: Any, mu: Any) -> Real:
     """The paper's numerical solution: (M1) integrated with the series' own a, ψ(0) = 0 and ψ'(0).
 
     Parameters
@@ -148,11 +161,11 @@ def numerical(sol, x, lam, mu):
     True
     """
     amplitude = amplitudes(sol.table("psi", mu=mu), lam)
-    slope = sum(n * value for (_, n), value in amplitude.items())
+    slope = float(sum(n * value for (_, n), value in amplitude.items()))
     return mathieu.integrate(x, _eigenvalue(sol, lam, mu), lam, mu, (0, slope))[0]
 
 
-def psi(ax, sol, lam, mu, periods=1):
+def psi(ax: Axes, sol: Solution, lam: Any, mu: Any, periods: int = 1) -> None:
     """The paper's figure 5: ψ(x), numerical solution as a full line, series dashed."""
     x = _points(periods)
     ax.axhline(0, color=GREY, linestyle="-", linewidth=0.8)
@@ -165,7 +178,7 @@ def psi(ax, sol, lam, mu, periods=1):
     _legend_above(ax, 2)
 
 
-def difference(ax, sol, lam, mu, periods=1):
+def difference(ax: Axes, sol: Solution, lam: Any, mu: Any, periods: int = 1) -> None:
     """The paper's figure 6: δψ(x), series minus numerical solution, over whole periods."""
     x = _points(periods)
     delta = sol.evaluate("psi", x, lam=lam, mu=mu) - numerical(sol, x, lam, mu)
@@ -175,33 +188,33 @@ def difference(ax, sol, lam, mu, periods=1):
     ax.set_ylabel(r"$\delta\psi(x)$")
 
 
-def _eigenvalue(sol, lam, mu):
+def _eigenvalue(sol: Solution, lam: Any, mu: Any) -> Real:
     """The series' a; these pictures look beyond its radius of convergence on purpose."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ConvergenceWarning)
         return sol.evaluate("a", lam=lam, mu=mu)
 
 
-def _points(periods):
+def _points(periods: int) -> Array:
     return np.linspace(0, 2 * np.pi * periods, 200 * periods + 1)
 
 
-def _place(lam, mu):
+def _place(lam: Any, mu: Any) -> str:
     return rf"$\lambda = {lam:g},\ \mu = {mu:g}$"
 
 
-def _legend_above(ax, columns):
+def _legend_above(ax: Axes, columns: int) -> None:
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=columns)
 
 
-def _tick(periods):
+def _tick(periods: int) -> Any:
     """The distance of ticks in units of π: not more than ten of them."""
     return 0.5 if periods == 1 else 2 * -(-periods // 10)
 
 
-def _angles(ax, low, high, step):
+def _angles(ax: Axes, low: float, high: float, step: float) -> None:
     """The x axis from low·π to high·π, with ticks step·π apart."""
-    def label(value, _):
+    def label(value: float, _: Any) -> str:
         number = round(value / np.pi, 6)
         shown = {0: "0", 1: r"$\pi$", -1: r"$-\pi$", 0.5: r"$\pi/2$", -0.5: r"$-\pi/2$",
                  1.5: r"$3\pi/2$"}

@@ -5,19 +5,29 @@ from `ftseries.stability.bodies`; motions are integrated by SciPy with the accel
 `ftseries.references.three_bodies`.
 """
 
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
+from matplotlib.axes import Axes
 from scipy.integrate import solve_ivp
 
 from .. import stability
+from ..aliases import Array, Real
 from ..references import mathieu, three_bodies
 from . import mathieu as waves
 from .style import BLUE, COLOURS, GREEN, GREY, LINES, PURPLE, VERMILION
+
+if TYPE_CHECKING:
+    from ..solution import Solution
 
 __all__ = ["discriminant", "crossing", "largest_differences", "growth", "on_edge", "multipliers",
            "follow", "disturbed"]
 
 
-def discriminant(ax, lam, mu, span, edges):
+def discriminant(ax: Axes, lam: float, mu: float, span: tuple[float, float], edges: Any) -> None:
     """D(a) over `span`; `edges` = {name: a} in ascending order, bands between 1st and 2nd, …"""
     a = np.linspace(*span, 121)
     ax.plot(a, [stability.hill(value, lam, mu).discriminant for value in a], color=BLUE,
@@ -37,7 +47,7 @@ def discriminant(ax, lam, mu, span, edges):
     ax.legend(loc="lower center")
 
 
-def crossing(ax, sol, lam, mu, orders):
+def crossing(ax: Axes, sol: Solution, lam: float, mu: float, orders: Sequence[int]) -> None:
     """The same at the edge b_1, enlarged: D + 2 at the eigenvalues of truncations of `sol`."""
     edge = mathieu.eigenvalue(lam, mu)
     values = np.array([sol.truncate(n).evaluate("a", lam=lam, mu=mu) - edge for n in orders])
@@ -54,7 +64,7 @@ def crossing(ax, sol, lam, mu, orders):
     ax.legend()
 
 
-def largest_differences(sol, lam, mu, periods):
+def largest_differences(sol: Solution, lam: float, mu: float, periods: int) -> Real:
     """max |δψ| over each period of 2π: series minus the integration with the series' own a.
 
     >>> import ftseries as fts
@@ -67,7 +77,8 @@ def largest_differences(sol, lam, mu, periods):
     return abs(delta[1:]).reshape(periods, 120).max(axis=1)
 
 
-def growth(ax, sol, lam, mu, orders, periods=40):
+def growth(ax: Axes, sol: Solution, lam: float, mu: float, orders: Sequence[int],
+           periods: int = 40) -> None:
     """|δψ| over many periods with the law predicted from the discriminant, one pair for each order.
 
     Points are the largest |δψ| of each period, near its last maximum of |ψ| at 3π/2, and the law
@@ -88,7 +99,7 @@ def growth(ax, sol, lam, mu, orders, periods=40):
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, fontsize=9)
 
 
-def on_edge(ax, quadratic, linear, quadratic_law, linear_law):
+def on_edge(ax: Axes, quadratic: Any, linear: Any, quadratic_law: Any, linear_law: Any) -> None:
     """Departures after 1, 2, … periods, log-log: wrong in the 30th digit of a, or of ψ(0)."""
     k = np.arange(1, len(quadratic) + 1)
     for values, law, colour, mark, name in (
@@ -101,7 +112,7 @@ def on_edge(ax, quadratic, linear, quadratic_law, linear_law):
     ax.legend()
 
 
-def multipliers(left, right, m):
+def multipliers(left: Axes, right: Axes, m: Any) -> None:
     """The twelve multipliers on the unit circle, and what is near 1 enlarged."""
     turn = np.exp(2j * np.pi * np.linspace(0, 1, 721))
     essential = np.linalg.eigvals(m.essential)
@@ -118,7 +129,8 @@ def multipliers(left, right, m):
     left.legend(loc="center", fontsize=9)
 
 
-def follow(start, disturbance, period, periods, tolerance=1e-11):
+def follow(start: Any, disturbance: Any, period: float, periods: int,
+           tolerance: float = 1e-11) -> Any:
     """The distance from the undisturbed state after 0, 1, …, `periods` periods.
 
     `start` (positions and velocities, complex, shape (2, 3)) repeats itself after `period`;
@@ -128,7 +140,7 @@ def follow(start, disturbance, period, periods, tolerance=1e-11):
     >>> bool(follow(newton.figure_eight_state(), np.zeros(12), 2 * np.pi, 2).max() < 1e-7)
     True
     """
-    def slope(_, y):
+    def slope(_: float, y: Array) -> Array:
         return np.concatenate([y[3:], three_bodies.accelerations(y[:3])])
 
     begin = np.asarray(start).ravel()
@@ -138,7 +150,8 @@ def follow(start, disturbance, period, periods, tolerance=1e-11):
     return np.sqrt((abs(path.y - begin[:, None]) ** 2).sum(axis=0))
 
 
-def disturbed(ax, distances, predicted):
+def disturbed(ax: Axes, distances: Mapping[str, Array],
+              predicted: Mapping[str, Array]) -> None:
     """Distance over the first disturbance against periods, one line for each entry of a dict.
 
     `predicted` has the same names: the linear law, drawn dashed.

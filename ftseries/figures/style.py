@@ -5,6 +5,10 @@ Okabe and Ito's palette that stand out from white and from the dark page alike, 
 style of its own, so that no picture depends on colour alone.
 """
 
+from __future__ import annotations
+
+from typing import Any
+
 import matplotlib as mpl
 from cycler import cycler
 
@@ -19,7 +23,7 @@ GREY = "#777777"
 _PANE = (0.47, 0.47, 0.47, 0.08)
 
 #: Matplotlib's parameters for every picture
-RC = {
+RC: dict[Any, Any] = {
     "figure.figsize": (6.4, 4.0),
     "figure.dpi": 150,
     "figure.facecolor": "none",
@@ -51,7 +55,7 @@ RC = {
 }
 
 
-def use():
+def use() -> None:
     """Draw all later figures of this session in the house style; a notebook's first step.
 
     >>> use()
@@ -62,7 +66,7 @@ def use():
     mpl.rcParams.update(RC)
 
 
-def context():
+def context() -> Any:
     """The house style inside a ``with`` block only.
 
     >>> with context():

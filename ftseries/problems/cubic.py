@@ -9,8 +9,13 @@ coefficients of x and Ω are rational.  Then A_{n,m}(a) = a^{1-m} A_{n,m}(1) and
 ω_m(a) = 2√3 a^{1/2-m} Ω_m(1).
 """
 
+from __future__ import annotations
+
+from typing import Any
+
 import sympy as sp
 
+from ..aliases import Expr, Function, Json
 from ..errors import InputError
 from ..problem import Field, Problem, Scalar, expression
 
@@ -37,20 +42,21 @@ class CubicOscillator(Problem):
     seed = {"x": [{0: -1}, {1: 1}], "omega": [1]}
     frequency = "omega"
 
-    def __init__(self, a=1):
+    def __init__(self, a: Any = 1) -> None:
         self.a = expression(a)
         if self.a.is_positive is False or self.a in (sp.nan, sp.oo, sp.zoo):
             raise InputError(f"a={a!r}: the parameter a of (C1) must be positive and finite")
 
-    def equations(self, lam, x, omega):
+    def equations(  # type: ignore[override]     # the unknowns by name
+            self, lam: Function, x: Function, omega: Function) -> dict[str, Function]:
         return {"(C3)": 12 * omega**2 * x.diff()**2 - 4 * (x - 2) * (x - lam + 1) * (x + lam + 1)}
 
-    def scale(self, name):
+    def scale(self, name: str) -> Expr:
         return self.a if name == "x" else 2 * sp.sqrt(3) * sp.sqrt(self.a)
 
     @property
-    def lam_scale(self):
+    def lam_scale(self) -> Expr:
         return self.a
 
-    def arguments(self):
+    def arguments(self) -> dict[str, Json]:
         return {"a": str(self.a)}

@@ -10,10 +10,14 @@ where Ψ_{n,m} and a_m are polynomials in μ.  The paper treats the branch b_1; 
 Fourier orders are those of the parity of n, up to m + n - 1 at Taylor order m.
 """
 
+from __future__ import annotations
+
 import re
+from typing import Any
 
 import sympy as sp
 
+from ..aliases import Function, Json
 from ..errors import InputError
 from ..problem import Field, Problem, Scalar
 from ..trig import rational
@@ -44,7 +48,7 @@ class GeneralizedMathieu(Problem):
 
     variable = "x"
 
-    def __init__(self, mu=None, branch="b1"):
+    def __init__(self, mu: Any = None, branch: str = "b1") -> None:
         if mu is None or mu == sp.Symbol("mu"):
             self.mu, self.parameters = None, ("mu",)
         else:
@@ -62,12 +66,13 @@ class GeneralizedMathieu(Problem):
         self.seed = {"psi": [{}, {n: 1}], "a": [n**2]}
         self.ahead = max(n - 1, 0)
 
-    def equations(self, lam, psi, a):
+    def equations(  # type: ignore[override]     # the unknowns by name
+            self, lam: Function, psi: Function, a: Function) -> dict[str, Function]:
         x = lam.expansion
         mu = x.parameter("mu") if self.mu is None else self.mu
         potential = -a + lam**2 * x.cos(2) + lam**4 * mu * x.cos(4)
         return {"(M1)": psi.diff(2) - potential * psi}
 
-    def arguments(self):
+    def arguments(self) -> dict[str, Json]:
         given = {} if self.mu is None else {"mu": str(self.mu)}
         return given | ({} if self.branch == "b1" else {"branch": self.branch})

@@ -10,4 +10,5 @@ rest on mpmath, SciPy and python-flint. Each also contains two routes that check
   μ = 0 by SciPy's Mathieu functions.
 - `three_bodies`: Newton's equations (E0), integrated by Runge-Kutta and by Taylor series in time.
 - `newton`: the figure eight with the published initial values, and refined to any number of digits.
+- `lemniscate`: three bodies on Bernoulli's lemniscate, under another force, in closed form.
 """

@@ -1,15 +1,22 @@
 """What the references accept: finite numbers, checked and named in one place."""
 
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
 import mpmath
 import numpy as np
 
 from ftseries.errors import InputError
 
+from ..aliases import Array
+
 GUARD = 10
 """Decimal digits carried beyond those asked for."""
 
 
-def real(name, value):
+def real(name: str, value: Any) -> Array:
     """`value` as a float64 array; refused unless every entry is a finite real number.
 
     >>> real("t", [0, 1])
@@ -24,7 +31,7 @@ def real(name, value):
     return array
 
 
-def number(name, value):
+def number(name: str, value: Any) -> Any:
     """`value` as an mpmath number at the working precision; a string gives all its digits.
 
     >>> number("lam", "0.5")
@@ -40,21 +47,21 @@ def number(name, value):
     return converted
 
 
-def digits(dps):
+def digits(dps: Any) -> int:
     """`dps` as the number of decimal digits asked for, an integer of at least 1."""
     if isinstance(dps, bool) or not isinstance(dps, (int, np.integer)) or dps < 1:
         raise InputError(f"dps must be a number of decimal digits, an integer >= 1, not {dps!r}.")
     return int(dps)
 
 
-def order(name, value):
+def order(name: str, value: Any) -> int:
     """`value` as a non-negative integer."""
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 0:
         raise InputError(f"{name} must be an integer >= 0, not {value!r}.")
     return int(value)
 
 
-def in_digits(dps, function, *arguments):
+def in_digits(dps: Any, function: Callable[..., Any], *arguments: Any) -> Any:
     """`function(*arguments)` with guard digits, rounded to `dps` decimal digits.
 
     >>> mpmath.nstr(in_digits(20, mpmath.sqrt, 2), 20)

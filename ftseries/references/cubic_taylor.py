@@ -11,8 +11,12 @@ coefficients: python-flint multiplies, inverts and composes them exactly. Since 
 of λ and of a, and ω² that of a, A_{n,m}(a) = a^{1-m} A_{n,m}(1) and ω_m(a) = a^{1/2-m} ω_m(1).
 """
 
+from __future__ import annotations
+
+from collections.abc import Iterator
 from contextlib import contextmanager
 from math import comb
+from typing import Any
 
 import flint
 import sympy
@@ -21,10 +25,12 @@ from flint import fmpq, fmpq_series
 from ftseries.errors import InputError
 from ftseries.references._input import order as checked
 
+from ..aliases import Exact, Expr
+
 __all__ = ["fourier_taylor", "frequency_squared_taylor", "frequency_taylor"]
 
 
-def frequency_taylor(order, a=1):
+def frequency_taylor(order: int, a: Exact = 1) -> list[Expr]:
     """[ω_0, …, ω_order] of (C5b) as SymPy numbers; `a` is a positive number or symbol.
 
     >>> frequency_taylor(2)
@@ -36,7 +42,7 @@ def frequency_taylor(order, a=1):
     return [2 * sympy.sqrt(3 * a) * c / a**m for m, c in enumerate(root)]
 
 
-def frequency_squared_taylor(order, a=1):
+def frequency_squared_taylor(order: int, a: Exact = 1) -> list[Expr]:
     """The Taylor coefficients 0, …, order of ω² in λ as SymPy numbers.
 
     >>> frequency_squared_taylor(4)
@@ -47,7 +53,7 @@ def frequency_squared_taylor(order, a=1):
         return [c * a ** (1 - m) for m, c in enumerate(_rationals(omega2, order))]
 
 
-def fourier_taylor(n, order, a=1):
+def fourier_taylor(n: int, order: int, a: Exact = 1) -> list[Expr]:
     """[A_{n,0}, …, A_{n,order}] of (C5a) as SymPy numbers; `a` is a positive number or symbol.
 
     >>> fourier_taylor(1, 3)
@@ -60,7 +66,7 @@ def fourier_taylor(n, order, a=1):
 
 
 @contextmanager
-def _closed_forms(order):
+def _closed_forms(order: int) -> Iterator[Any]:
     """ω², A_0 and q as series in λ at a = 1, while flint keeps `order` + 1 terms."""
     terms = order + 2  # one is lost to the division by m
     cap, flint.ctx.cap = flint.ctx.cap, terms
@@ -79,13 +85,13 @@ def _closed_forms(order):
         flint.ctx.cap = cap
 
 
-def _rationals(series, order):
+def _rationals(series: Any, order: int) -> list[fmpq]:
     if series.prec <= order:
         raise ArithmeticError(f"only {series.prec} Taylor coefficients of {order + 1} are known")
     return [sympy.Rational(int(c.p), int(c.q)) for c in (series[m] for m in range(order + 1))]
 
 
-def _positive(a):
+def _positive(a: Exact) -> Any:
     a = sympy.sympify(a)
     if not a.is_positive:
         raise InputError(f"a must be a positive number or Symbol('a', positive=True), not {a}.")

@@ -12,7 +12,10 @@ C. Simó (Celestial Mechanics, Contemporary Mathematics 292, 2002, pages 209-228
 numbers of the multipliers exp(±2πiν) that are not 1.
 """
 
+from __future__ import annotations
+
 import math
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -28,7 +31,7 @@ ORDER, TOLERANCE = 24, 1e-18  # of the Taylor series in time
 STEPS, MOST_TERMS = 6, 400  # steps per unit of x; terms of one power series
 
 
-def hill_monodromy(a, lam, mu=0, end=None, dps=30):
+def hill_monodromy(a: Any, lam: Any, mu: Any = 0, end: Any = None, dps: int = 30) -> Any:
     """The matrix of ψ, ψ' at x = `end` (π if left out) from ψ, ψ' at 0, to `dps` digits.
 
     >>> mpmath.nprint(hill_monodromy(a="0.25", lam=0, dps=15).apply(mpmath.chop), 12)
@@ -45,7 +48,7 @@ def hill_monodromy(a, lam, mu=0, end=None, dps=30):
         return matrix
 
 
-def _hill_step(a, lam, mu, x, step):
+def _hill_step(a: Any, lam: Any, mu: Any, x: Any, step: Any) -> Any:
     """The same from x to x + step."""
     q, power, matrix, small = [], step, mpmath.eye(2), mpmath.mpf(10) ** -(mpmath.mp.dps + 5)
     matrix[0, 1] = step
@@ -68,18 +71,22 @@ def _hill_step(a, lam, mu, x, step):
     raise InputError("a, lam or mu is too large for these power series.")
 
 
-def figure_eight_monodromy():
+def figure_eight_monodromy(state: Any = None, exponent: float = 1) -> Any:
     """The eight's monodromy matrix over 2π, 12 × 12, from Newton's equations alone, in float64.
+
+    `state` is r(0) and v(0), of shape (2, 3), of a choreography under the force d^{-(α+1)} with α
+    the `exponent`; left out, the figure eight of gravitation.
 
     >>> m = figure_eight_monodromy()
     >>> turn = np.sort(abs(np.angle(np.linalg.eigvals(m)))) / (2 * np.pi)
     >>> turn[-4:].round(8)
     array([0.00842272, 0.00842272, 0.29809253, 0.29809253])
     """
-    state = np.stack([newton.figure_eight_state().real, newton.figure_eight_state().imag], axis=-1)
+    state = newton.figure_eight_state() if state is None else np.asarray(state)
+    state = np.stack([state.real, state.imag], axis=-1)
     change, now, end = np.eye(12).reshape(2, 3, 2, 12), 0.0, 2 * np.pi / 3
     while now < end:
-        r, dr = _taylor(*state, *change)
+        r, dr = _taylor(state[0], state[1], change[0], change[1], -(exponent + 2) / 2)
         last = [(k, max(abs(c[k]).max() for c in (r, dr))) for k in (ORDER - 1, ORDER)]
         step = min([end - now] + [(TOLERANCE / size) ** (1 / k) for k, size in last])
         now = now + step if step < end - now else end
@@ -92,13 +99,13 @@ def figure_eight_monodromy():
     return np.linalg.matrix_power(back @ change.reshape(12, 12), 3)
 
 
-def _sum(c, t):
+def _sum(c: Any, t: Any) -> Any:
     """Position and velocity at t."""
     k = np.arange(len(c)).reshape(-1, *(1,) * (c.ndim - 1))
     return np.stack([(c * t**k).sum(0), (k[1:] * c[1:] * t ** (k[1:] - 1)).sum(0)])
 
 
-def _taylor(position, velocity, d_position, d_velocity):
+def _taylor(position: Any, velocity: Any, d_position: Any, d_velocity: Any, p: float) -> Any:
     """Coefficients of r, of shape (ORDER + 1, 3, 2), and of dr by 12 parameters, (…, 3, 2, 12)."""
     r, u = (np.zeros((ORDER + 1, 3, 2)) for _ in range(2))
     s, w = (np.zeros((ORDER + 1, 3)) for _ in range(2))
@@ -110,13 +117,13 @@ def _taylor(position, velocity, d_position, d_velocity):
         s[k] = (u[: k + 1] * u[k::-1]).sum((0, 2))
         ds[k] = 2 * (u[: k + 1, ..., None] * du[k::-1]).sum((0, 2))
         if k == 0:
-            w[0], dw[0] = s[0] ** -1.5, -1.5 * s[0, :, None] ** -2.5 * ds[0]
+            w[0], dw[0] = s[0] ** p, p * s[0, :, None] ** (p - 1) * ds[0]
         else:
             j = np.arange(1, k + 1)[:, None]
-            w[k] = -((2 * k + j) * s[1 : k + 1] * w[:k][::-1]).sum(0) / (2 * k * s[0])
+            w[k] = (((p + 1) * j - k) * s[1 : k + 1] * w[:k][::-1]).sum(0) / (k * s[0])
             j = j[..., None]
             both = ds[1 : k + 1] * w[:k][::-1, :, None] + s[1 : k + 1, :, None] * dw[:k][::-1]
-            dw[k] = -(((2 * k + j) * both).sum(0) / (2 * k) + ds[0] * w[k, :, None])
+            dw[k] = (((p + 1) * j - k) * both).sum(0) / k - ds[0] * w[k, :, None]
             dw[k] /= s[0, :, None]
         pull = (w[: k + 1, :, None] * u[k::-1]).sum(0)
         d_pull = (dw[: k + 1, :, None] * u[k::-1, ..., None]

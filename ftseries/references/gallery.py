@@ -12,12 +12,17 @@ x″ + x + x³ = 0             λ² = 32 q/(1+q)² ω²   ω² = 1/(θ_3^4 - 2 �
 Reversion of the first gives ω² as a series in λ².
 """
 
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
 from flint import ctx, fmpq, fmpq_series
 
 __all__ = ["pendulum", "duffing"]
 
 
-def pendulum(order):
+def pendulum(order: int) -> list[fmpq]:
     """The coefficients of λ⁰, λ², …, λ^(2·order) of ω², rational.
 
     >>> pendulum(2)                                      # ω = 1 - λ²/16 + λ⁴/1024
@@ -26,7 +31,7 @@ def pendulum(order):
     return _frequency(order, 0, lambda omega2: 64)
 
 
-def duffing(order):
+def duffing(order: int) -> list[fmpq]:
     """The same for x″ + x + x³ = 0.
 
     >>> duffing(2)
@@ -35,7 +40,7 @@ def duffing(order):
     return _frequency(order, 2, lambda omega2: 32 * omega2)
 
 
-def _frequency(order, weight, factor):
+def _frequency(order: int, weight: int, factor: Callable[[Any], Any]) -> list[fmpq]:
     previous, ctx.cap = ctx.cap, order + 2
     try:
         q = fmpq_series([0, 1], prec=order + 2)

@@ -18,6 +18,10 @@ At μ = 0 this is Mathieu's equation y'' + (a - 2q cos 2x) y = 0 with q = λ²/2
 sign, the odd solution of index k is se_{2k+1}(x, q) and its eigenvalue b_{2k+1}(q).
 """
 
+from __future__ import annotations
+
+from typing import Any
+
 import mpmath
 import numpy as np
 from scipy import special
@@ -27,6 +31,8 @@ from ftseries.errors import InputError
 from ftseries.references import _input
 from ftseries.references._input import in_digits, number, real
 
+from ..aliases import ArrayLike
+
 __all__ = [
     "eigenfunction", "eigenvalue", "hill_matrix", "integrate", "mathieu_b", "sine_coefficients",
 ]
@@ -35,7 +41,7 @@ LARGEST = 1000  # size of a truncated Hill matrix
 TOLERANCES = {"rtol": 3e-14, "atol": 1e-16, "max_step": 0.025}  # of DOP853 and its dense output
 
 
-def hill_matrix(lam, mu=0, size=32):
+def hill_matrix(lam: Any, mu: Any = 0, size: int = 32) -> Any:
     """The matrix above for n = 1, 3, …, 2 size - 1, of shape (broadcast of lam, mu) + (size, size).
 
     >>> hill_matrix(1, 0, size=3)
@@ -48,7 +54,7 @@ def hill_matrix(lam, mu=0, size=32):
     return squares + q * first + s * second
 
 
-def eigenvalue(lam, mu=0, index=0, dps=None):
+def eigenvalue(lam: Any, mu: Any = 0, index: int = 0, dps: int | None = None) -> Any:
     """The eigenvalue a; lam and mu broadcast, or are single numbers with `dps`.
 
     >>> mpmath.nstr(eigenvalue(2, "-0.3", dps=30), 30)
@@ -60,7 +66,7 @@ def eigenvalue(lam, mu=0, index=0, dps=None):
     return in_digits(dps, lambda: _eigenpair_in_digits(lam, mu, index)[0])
 
 
-def sine_coefficients(lam, mu=0, index=0, dps=None):
+def sine_coefficients(lam: Any, mu: Any = 0, index: int = 0, dps: int | None = None) -> Any:
     """[c_1, c_3, c_5, …] on the last axis, with λ as the coefficient that leads at λ = 0.
 
     For index 0 this is c_1 = λ, as in (M2a). With `dps`: a tuple of mpmath numbers.
@@ -70,13 +76,13 @@ def sine_coefficients(lam, mu=0, index=0, dps=None):
         vector = _eigenpair(lam, mu, index)[1]
         return np.asarray(lam)[..., None] * vector / _leading(vector[..., index : index + 1])
 
-    def value():
+    def value() -> Any:
         vector = _eigenpair_in_digits(lam, mu, index)[1]
         return tuple(vector * (number("lam", lam) / _leading(vector[index])))
     return in_digits(dps, value)
 
 
-def eigenfunction(x, lam, mu=0, index=0, derivative=0):
+def eigenfunction(x: Any, lam: Any, mu: Any = 0, index: int = 0, derivative: int = 0) -> Any:
     """ψ(x), normalized as in `sine_coefficients`, or a derivative of it; x, lam and mu broadcast.
 
     >>> np.round(eigenfunction([0, np.pi / 2, np.pi], lam=0.001), 6) + 0
@@ -88,12 +94,12 @@ def eigenfunction(x, lam, mu=0, index=0, derivative=0):
     return np.sum(c * n**float(derivative) * np.sin(phase), axis=-1)
 
 
-def mathieu_b(lam, index=0):
+def mathieu_b(lam: Any, index: int = 0) -> Any:
     """The eigenvalue at μ = 0 by SciPy: b_{2 index + 1}(λ²/2), for real λ."""
     return special.mathieu_b(2 * _input.order("index", index) + 1, real("lam", lam) ** 2 / 2)
 
 
-def integrate(x, a, lam, mu=0, start=(0, 1)):
+def integrate(x: Any, a: Any, lam: Any, mu: Any = 0, start: ArrayLike = (0, 1)) -> Any:
     """ψ and ψ' at the real points x by the Runge-Kutta method DOP853, from ψ(0), ψ'(0) = `start`.
 
     Returns an array of shape (2,) + x.shape. a, lam and mu are single real numbers. Steps are short
@@ -107,7 +113,7 @@ def integrate(x, a, lam, mu=0, start=(0, 1)):
     start = real("start", start)
     q, s = lam**2, lam**4 * mu
 
-    def slope(x, y):
+    def slope(x: Any, y: Any) -> Any:
         return y[1], (-a + q * np.cos(2 * x) + s * np.cos(4 * x)) * y[0]
 
     values = np.empty((2, x.size))
@@ -120,18 +126,18 @@ def integrate(x, a, lam, mu=0, start=(0, 1)):
     return values.reshape((2, *x.shape))
 
 
-def _couplings(lam, mu):
+def _couplings(lam: Any, mu: Any) -> Any:
     lam, mu = np.asarray(lam), np.asarray(mu)
     return np.broadcast_arrays(lam**2 / 2 + 0 * mu, lam**4 * mu / 2)
 
 
-def _parts(size):
+def _parts(size: int) -> Any:
     row, column = np.indices((size, size))
     matrices = [(abs(row - column) == j) * 1.0 - (row + column + 1 == j) for j in (1, 2)]
     return np.diag((1.0 + 2 * np.arange(size)) ** 2), *matrices
 
 
-def _size(lam, mu, index, digits):
+def _size(lam: Any, mu: Any, index: int, digits: int) -> Any:
     """The size at which ratios |c_{n+2}/c_n| of about q/n² + √s/n have made c_n negligible."""
     q, s = (np.max(abs(part)) for part in _couplings(lam, mu))
     gap = (3.0 + 2 * np.arange(index, LARGEST)) ** 2 - (2 * index + 1) ** 2
@@ -142,7 +148,7 @@ def _size(lam, mu, index, digits):
     return index + int(np.argmax(enough)) + 3
 
 
-def _eigenpair(lam, mu, index):
+def _eigenpair(lam: Any, mu: Any, index: int) -> Any:
     lam, mu = _finite("lam", lam), _finite("mu", mu)
     matrix = hill_matrix(lam, mu, _size(lam, mu, index, 20))
     if np.iscomplexobj(matrix):
@@ -153,9 +159,10 @@ def _eigenpair(lam, mu, index):
     return np.sum(vector * image, -1) / np.sum(vector**2, -1), vector
 
 
-def _followed(lam, mu, index, size, steps=64):
+def _followed(lam: Any, mu: Any, index: int, size: int, steps: int = 64) -> Any:
     """The eigenvector followed from λ = 0; a linear forecast picks the eigenvalue at each step."""
-    before = now = float((2 * index + 1) ** 2)
+    before: Any = float((2 * index + 1) ** 2)
+    now = before
     for part in np.linspace(0, 1, steps + 1)[1:]:
         values, vectors = np.linalg.eig(hill_matrix(part * lam, mu, size))
         forecast = np.asarray(2 * now - before)[..., None]
@@ -164,7 +171,7 @@ def _followed(lam, mu, index, size, steps=64):
     return np.take_along_axis(vectors, nearest[..., None, :], -1)[..., 0]
 
 
-def _eigenpair_in_digits(lam, mu, index):
+def _eigenpair_in_digits(lam: Any, mu: Any, index: int) -> Any:
     """Rayleigh's quotient iteration from the float64 pair: each step triples the correct digits."""
     lam, mu = number("lam", lam), number("mu", mu)
     kind = complex if mpmath.im(lam) or mpmath.im(mu) else float
@@ -184,13 +191,13 @@ def _eigenpair_in_digits(lam, mu, index):
     raise ArithmeticError("Rayleigh's quotient iteration did not converge")
 
 
-def _leading(coefficient):
+def _leading(coefficient: Any) -> Any:
     if np.any(abs(coefficient) < 1e-12):
         raise InputError("The leading sine is absent from the eigenfunction at this lam and mu.")
     return coefficient
 
 
-def _finite(name, value):
+def _finite(name: str, value: Any) -> Any:
     value = np.asarray(value)
     if not np.iscomplexobj(value):
         return real(name, value)

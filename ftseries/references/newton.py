@@ -17,9 +17,12 @@ Reflections carry this arc over the whole period, and its samples give the Fouri
     r_3(t) = Σ c_n sin(nt),   c_n real (that is x_3) for even n, imaginary (i y_3) for odd n.
 """
 
+from __future__ import annotations
+
 from collections import namedtuple
-from contextlib import nullcontext
+from contextlib import AbstractContextManager, nullcontext
 from functools import lru_cache, partial
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -45,14 +48,14 @@ VELOCITY_3 = -0.93240737 - 0.86473146j
 PERIOD = 6.32591398
 
 
-def published_state():
+def published_state() -> Any:
     """r(0) and v(0), of shape (2, 3), upright and with period 2π, from the digits printed."""
     scale = 2 * np.pi / PERIOD
     upright = 1j * np.conj([POSITION_1 * scale ** (2 / 3), VELOCITY_3 * scale ** (-1 / 3)])
     return _state(*upright)
 
 
-def published_figure_eight(t):
+def published_figure_eight(t: Any) -> Any:
     """The positions, of shape (3,) + t.shape, that follow from the published digits by DOP853.
 
     >>> gap = published_figure_eight(2 * np.pi) - published_figure_eight(0)
@@ -62,7 +65,7 @@ def published_figure_eight(t):
     return integrate(t, *published_state())[0]
 
 
-def figure_eight_state(dps=None):
+def figure_eight_state(dps: int | None = None) -> Any:
     """r(0) and v(0), of shape (2, 3), refined to rounding: complex128, or mpmath numbers by `dps`.
 
     >>> bool(abs(figure_eight_state() - published_state()).max() < 1e-8)
@@ -71,7 +74,7 @@ def figure_eight_state(dps=None):
     return _state(*_refined(dps))
 
 
-def figure_eight_coefficients(dps=None):
+def figure_eight_coefficients(dps: int | None = None) -> Any:
     """The Fourier coefficients c_0, c_1, … of r_3, as many as the precision can tell from zero.
 
     >>> abs(figure_eight_coefficients()[:6]).round(4)
@@ -80,7 +83,7 @@ def figure_eight_coefficients(dps=None):
     return _coefficients(dps).copy()
 
 
-def figure_eight(t, derivative=0, dps=None):
+def figure_eight(t: Any, derivative: int = 0, dps: int | None = None) -> Any:
     """The positions, or their time derivatives, complex of shape (3,) + t.shape, at all times t.
 
     Positions are accurate to 1e-14, or to `dps` digits in arrays of mpmath numbers; a derivative
@@ -98,7 +101,7 @@ def figure_eight(t, derivative=0, dps=None):
         return np.tensordot(c * n**derivative, sin(phase), 1)
 
 
-def figure_eight_lambda(dps=None):
+def figure_eight_lambda(dps: int | None = None) -> Any:
     """λ of (E_lambda): 1/π times the integral of φ_12(t) cos t over a period.
 
     >>> round(figure_eight_lambda(), 13)
@@ -113,21 +116,21 @@ def figure_eight_lambda(dps=None):
         return float(lam) if dps is None else lam
 
 
-def _state(position_1, velocity_3):
+def _state(position_1: Any, velocity_3: Any) -> Any:
     velocity_1 = -velocity_3 / 2
     positions = [position_1, -position_1, 0 * position_1]
     return np.array([positions, [velocity_1, velocity_1, velocity_3]])
 
 
-def _mismatch(unknowns, dps=None):
+def _mismatch(unknowns: Any, dps: int | None = None) -> Any:
     """What must vanish at t = 2π/12, for [x_1, y_1, x_3', y_3'] at t = 0."""
     start = _state(unknowns[0] + 1j * unknowns[1], unknowns[2] + 1j * unknowns[3])
-    r, v = integrate_taylor(_arithmetic(dps).pi / 6, *start, dps)
+    r, v = integrate_taylor(_arithmetic(dps).pi / 6, start[0], start[1], dps)
     return np.array([r[0].real, v[0].imag, (r[1] - r[2]).imag, (v[1] - v[2]).real])
 
 
 @lru_cache
-def _refined(dps):
+def _refined(dps: int | None) -> Any:
     """r_1(0) and v_3(0) by Newton's method with the derivative at the published values."""
     r, v = published_state()
     unknowns, step = np.array([r[0].real, r[0].imag, v[2].real, v[2].imag]), 1e-6 * np.eye(4)
@@ -145,12 +148,13 @@ def _refined(dps):
 
 
 @lru_cache
-def _samples(dps):
+def _samples(dps: int | None) -> Any:
     """r_3 at equidistant times over one period, from all three bodies between 0 and 2π/12."""
     n = 3 + 3 * (dps or 14) // 4  # 6n harmonics, each smaller than the last by 0.227 digits
     i = np.arange(n + 1)
     with _precision(dps):
-        r = integrate_taylor(_arithmetic(dps).pi / 6 * i / n, *figure_eight_state(dps), dps)[0]
+        start = figure_eight_state(dps)
+        r = integrate_taylor(_arithmetic(dps).pi / 6 * i / n, start[0], start[1], dps)[0]
         values = np.empty(12 * n, r.dtype)
         values[i], values[2 * n - i], values[2 * n + i] = r[2], -np.conj(r[1]), np.conj(r[0])
         values[6 * n - np.arange(3 * n)] = -np.conj(values[: 3 * n])  # mirror at t = π/2
@@ -159,7 +163,7 @@ def _samples(dps):
 
 
 @lru_cache
-def _coefficients(dps):
+def _coefficients(dps: int | None) -> Any:
     samples = _samples(dps)
     size = len(samples)
     n, j = np.ogrid[: size // 2, :size]
@@ -172,7 +176,7 @@ _Arithmetic = namedtuple("_Arithmetic", "pi sin cos angle times")
 _FLOAT = _Arithmetic(np.pi, np.sin, np.cos, np.angle, real)
 
 
-def _arithmetic(dps):
+def _arithmetic(dps: int | None) -> _Arithmetic:
     """π, the elementary functions on arrays and the conversion of times, in one arithmetic."""
     if dps is None:
         return _FLOAT
@@ -181,5 +185,5 @@ def _arithmetic(dps):
     return _Arithmetic(+mpmath.pi, sin, cos, arg, lambda name, t: np.array(number(t), object))
 
 
-def _precision(dps):
+def _precision(dps: int | None) -> AbstractContextManager[Any]:
     return nullcontext() if dps is None else mpmath.workdps(_input.digits(dps) + GUARD)

@@ -7,6 +7,10 @@ the Jacobi functions of `cubic` is used here; ℘ is built from theta functions,
 arithmetic-geometric means, both out of g2 and g3 alone.
 """
 
+from __future__ import annotations
+
+from typing import Any
+
 import mpmath
 
 from ftseries.errors import InputError
@@ -16,7 +20,7 @@ from ftseries.references.cubic import invariants
 __all__ = ["position", "shift", "weierstrass_p"]
 
 
-def weierstrass_p(z, g2, g3, dps=30):
+def weierstrass_p(z: Any, g2: Any, g3: Any, dps: int | None = 30) -> Any:
     """℘(z; g2, g3) for real g2³ > 27 g3² and complex z (DLMF 23.6.5).
 
     >>> mpmath.nstr(mpmath.chop(weierstrass_p(shift("0.5"), 13, 6)), 15)
@@ -25,7 +29,7 @@ def weierstrass_p(z, g2, g3, dps=30):
     return in_digits(dps, lambda: _p(number("z", z), number("g2", g2), number("g3", g3)))
 
 
-def shift(lam, a=1, dps=30):
+def shift(lam: Any, a: Any = 1, dps: int | None = 30) -> Any:
     """u₁ of (C10), for 0 < λ < 3a: minus the real half-period plus the imaginary one.
 
     >>> mpmath.nstr(shift("0.5"), 12)
@@ -34,31 +38,31 @@ def shift(lam, a=1, dps=30):
     return in_digits(dps, lambda: _shift(*_invariants(lam, a)))
 
 
-def position(t, lam, a=1, dps=30):
+def position(t: Any, lam: Any, a: Any = 1, dps: int | None = 30) -> Any:
     """x(t) = ℘(t - u₁; g2, g3) of (C12), for real t and 0 < λ < 3a.
 
     >>> mpmath.nstr(position(0, "0.5"), 20)
     '-0.5'
     """
-    def value():
+    def value() -> Any:
         g2, g3 = _invariants(lam, a)
         return _p(number("t", t) - _shift(g2, g3), g2, g3).real
     return in_digits(dps, value)
 
 
-def _p(z, g2, g3):
+def _p(z: Any, g2: Any, g3: Any) -> Any:
     omega1, omega3, e1 = _half_periods(g2, g3)
     q, scale = mpmath.exp(1j * mpmath.pi * omega3 / omega1).real, mpmath.pi / (2 * omega1)
     ratio = mpmath.jtheta(2, scale * z, q) / mpmath.jtheta(1, scale * z, q)
     return e1 + (scale * mpmath.jtheta(3, 0, q) * mpmath.jtheta(4, 0, q) * ratio) ** 2
 
 
-def _shift(g2, g3):
+def _shift(g2: Any, g3: Any) -> Any:
     omega1, omega3, _ = _half_periods(g2, g3)
     return omega3 - omega1
 
 
-def _half_periods(g2, g3):
+def _half_periods(g2: Any, g3: Any) -> Any:
     """ω₁ > 0, ω₃ on the positive imaginary axis (DLMF 23.22.1), and the largest root e1."""
     if not (mpmath.im(g2) == mpmath.im(g3) == 0 and g2**3 > 27 * g3**2):
         raise InputError("g2 and g3 must be real with g2³ > 27 g3²: ℘ needs three real roots here.")
@@ -69,7 +73,7 @@ def _half_periods(g2, g3):
     return omega1, omega3, e1
 
 
-def _invariants(lam, a):
+def _invariants(lam: Any, a: Any) -> Any:
     lam, a = number("lam", lam), number("a", a)
     if not (mpmath.im(lam) == mpmath.im(a) == 0 and 0 < lam < 3 * a):
         raise InputError("lam and a must satisfy 0 < lam < 3a: (C12) oscillates only there.")

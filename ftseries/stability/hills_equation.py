@@ -5,11 +5,15 @@ band, where all solutions are bounded; |D| > 2 a gap, where they grow exponentia
 edge, with a periodic solution.  Differentiating Y' = A Y by a gives dM/da, hence dD/da.
 """
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
+from ..aliases import Array, ArrayLike, Real
 from ..errors import InputError
 from ..trig import finite
 from .variation import Monodromy, monodromy, safe
@@ -26,17 +30,17 @@ class Hill(Monodromy):
     slope: np.ndarray
 
     @property
-    def discriminant(self):
+    def discriminant(self) -> float:
         """D = tr M: below 2 in modulus inside a band, above in a gap, ±2 on an edge."""
         return float(np.trace(self.matrix))
 
     @property
-    def discriminant_slope(self):
+    def discriminant_slope(self) -> float:
         """dD/da."""
         return float(np.trace(self.slope))
 
     @property
-    def place(self):
+    def place(self) -> str:
         """"band", "gap", or "edge" if |D| cannot be told from 2 within the error."""
         excess = abs(self.discriminant) - 2
         if abs(excess) <= _EDGE * self.error:
@@ -44,16 +48,16 @@ class Hill(Monodromy):
         return "gap" if excess > 0 else "band"
 
     @property
-    def rate(self):
+    def rate(self) -> float:
         """Real part σ of the exponent, per unit of x: a solution grows like exp(σx) in a gap."""
         return float(np.arccosh(max(abs(self.discriminant) / 2, 1)) / self.period)
 
     @property
-    def angle(self):
+    def angle(self) -> float:
         """Turn θ of the beating in a band, from the nearer edge, in radians per unit of x."""
         return float(np.arccos(min(abs(self.discriminant) / 2, 1)) / self.period)
 
-    def departure(self, k):
+    def departure(self, k: ArrayLike) -> Real:
         """After k periods, the departure of the solution that would be periodic at the edge.
 
         Relative to it, to leading order in the distance from the edge: cosh(kσT) - 1 in a gap,
@@ -63,14 +67,14 @@ class Hill(Monodromy):
         return np.cosh(k * self.rate) - np.cos(k * self.angle)
 
     @property
-    def jordan(self):
+    def jordan(self) -> Any:
         """At an edge: M ∓ 1, which is zero or nilpotent; elsewhere None."""
         if self.place != "edge":
             return None
         return self.matrix - np.sign(self.discriminant) * np.eye(2)
 
 
-def hill(a, lam, mu=0.0, period=np.pi):
+def hill(a: float, lam: float, mu: float = 0.0, period: float = np.pi) -> Hill:
     """The monodromy of ψ'' = (-a + λ² cos 2x + λ⁴ μ cos 4x) ψ over π, or a multiple of it.
 
     Examples
@@ -92,7 +96,7 @@ def hill(a, lam, mu=0.0, period=np.pi):
     block = np.zeros((4, 4))                 # of (Y, dY/da): the second is driven by the first
     block[0, 1], block[2, 3], block[3, 0] = 1, 1, -1
 
-    def linear(x):
+    def linear(x: float) -> Array:
         block[1, 0] = block[3, 2] = (-a + lam**2 * math.cos(2 * x)
                                      + lam**4 * mu * math.cos(4 * x))
         return block

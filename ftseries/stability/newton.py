@@ -1,24 +1,33 @@
 r"""Newton's variational equations along a periodic motion of equal masses in the plane.
 
-Formula.  With r_ij = r_i - r_j and η_ij = η_i - η_j a disturbance η of a solution r of (E0) obeys
+Formula.  With r_ij = r_i - r_j = d e, |e| = 1, and η_ij = η_i - η_j a disturbance η of a motion r
+under an attraction F(d) between each two bodies, F = d^{-2} in (E0), obeys
 
-.. math::  \ddot η_i = \sum_{j \ne i} \left( -\frac{η_{ij}}{|r_{ij}|^3}
-           + \frac{3 (r_{ij} · η_{ij})\, r_{ij}}{|r_{ij}|^5} \right).
+.. math::  \ddot η_i = \sum_{j \ne i} \left( -\frac{F(d)}{d}\, η_{ij}
+           + \Big( \frac{F(d)}{d} - F'(d) \Big) (e · η_{ij})\, e \right).
 
 Each symmetry gives an eigenvector e of the monodromy matrix, M e = e, and its conserved quantity
 the left eigenvector (J e)^T: eight multipliers 1, in Jordan blocks.  They are split off first.
 """
 
+from __future__ import annotations
+
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any, TypeAlias
 
 import numpy as np
 from scipy.linalg import eig, null_space, orth
 
+from ..aliases import Array, ComplexArray
 from ..errors import InputError
 from ..trig import finite
 from .variation import Monodromy, monodromy, safe, symplectic
 
 __all__ = ["Bodies", "bodies"]
+
+#: an attraction as a function of the distance
+Force: TypeAlias = Callable[[Any], Any]
 
 _SAMPLES = 512                               # of the positions over one period
 
@@ -32,7 +41,8 @@ class Bodies(Monodromy):
     symmetries : numpy.ndarray
         Four columns e with M e = e: shifts along x and y, shift of time, rotation.
     scaling : numpy.ndarray
-        The disturbance w = (2r, -v) towards other sizes: by Kepler's third law M w = w - 3T e_time.
+        The disturbance towards other sizes where F(d) is a power d^{-(α+1)}: w = (2r, -αv), and
+        Kepler's third law is M w = w - (α+2) T e_time.
     defect : float
         Largest entry of M e - e over the symmetries; zero along a solution of Newton's equations.
     """
@@ -42,7 +52,7 @@ class Bodies(Monodromy):
     defect: float
 
     @property
-    def basis(self):
+    def basis(self) -> Any:
         """Orthonormal columns: disturbances that change no integral, without the symmetries.
 
         The gradients of momentum, energy and angular momentum are the (J e)^T, left eigenvectors
@@ -53,11 +63,11 @@ class Bodies(Monodromy):
         return kernel @ null_space(forced.T @ kernel, rcond=1e-6)
 
     @property
-    def essential(self):
+    def essential(self) -> Any:
         """M on `basis`, modulo the symmetries: 4 × 4 for the eight, free of Jordan blocks."""
         return self.basis.T @ self.matrix @ self.basis
 
-    def rotation_numbers(self):
+    def rotation_numbers(self) -> tuple[Array, Array]:
         """(ν, errors): 0 ≤ ν ≤ 1/2 of the essential multipliers exp(±2πiν), ascending.
 
         The error is the multipliers' condition number times ``error`` and ``defect``.
@@ -78,7 +88,13 @@ class Bodies(Monodromy):
         return turn[order], errors[order] / (2 * np.pi)
 
 
-def bodies(positions, period=2 * np.pi):
+def gravity(distance: Any) -> Any:
+    """Newton's attraction between two bodies of mass 1."""
+    return distance**-2
+
+
+def bodies(positions: Callable[[Array], ComplexArray], period: float = 2 * np.pi,
+           force: Force = gravity) -> Bodies:
     """The monodromy of Newton's variational equations along a periodic motion.
 
     Parameters
@@ -86,6 +102,8 @@ def bodies(positions, period=2 * np.pi):
     positions : callable
         Times of shape (N,) to complex x + iy of shape (n, N): n bodies of mass 1, smooth, periodic.
     period : float
+    force : callable
+        The attraction F as a function of the distance, analytic: it is called with complex arrays.
 
     Raises
     ------
@@ -112,35 +130,42 @@ def bodies(positions, period=2 * np.pi):
     keep = np.abs(modes).max(axis=0) > 1e-17 * size
     modes, rate = modes[:, keep], 2j * np.pi * np.fft.fftfreq(_SAMPLES, period / _SAMPLES)[keep]
     if np.abs(samples[:, None] - samples)[~np.eye(len(samples), dtype=bool)].min() < 1e-6 * size:
-        raise InputError("two of the bodies meet: Newton's force is infinite there")
+        raise InputError("two of the bodies meet: the force has no direction there")
 
     n = 2 * len(modes)
     block = np.block([[np.zeros((n, n)), np.eye(n)], [np.zeros((n, 2 * n))]])
 
-    def linear(t):
-        block[n:, :n] = _tidal(modes @ np.exp(rate * t))
+    def linear(t: float) -> Array:
+        block[n:, :n] = _tidal(modes @ np.exp(rate * t), force)
         return block
 
     matrix, change = monodromy(linear, period, 2 * n)
-    r, v, force = (modes @ rate**k for k in range(3))
+    r, v, acceleration = (modes @ rate**k for k in range(3))
     one = np.ones_like(r)
-    symmetries = np.stack([_state(one, 0 * r), _state(1j * one, 0 * r), _state(v, force),
+    alpha = -1 - _slope(force, 1.0) / force(1.0)
+    symmetries = np.stack([_state(one, 0 * r), _state(1j * one, 0 * r), _state(v, acceleration),
                            _state(1j * r, 1j * v)], axis=1)
-    return Bodies(matrix, period, safe(matrix, change), symmetries, _state(2 * r, -v),
+    return Bodies(matrix, period, safe(matrix, change), symmetries, _state(2 * r, -alpha * v),
                   float(np.abs(matrix @ symmetries - symmetries).max()))
 
 
-def _state(position, velocity):
+def _state(position: ComplexArray, velocity: ComplexArray) -> Array:
     return np.concatenate([position, velocity]).view(float)
 
 
-def _tidal(r):
+def _slope(force: Force, distance: Any) -> Any:
+    """F', without cancellation."""
+    return np.imag(force(distance + 1e-30j)) / 1e-30
+
+
+def _tidal(r: ComplexArray, force: Force) -> Any:
     """The matrix of derivatives of the accelerations by the positions."""
     u = r[:, None] - r
     np.fill_diagonal(u, 1)
-    part = np.stack([u.real, u.imag], axis=-1)
-    pull = (np.eye(2) - 3 * part[..., :, None] * part[..., None, :] / np.abs(u[..., None, None])**2
-            ) / np.abs(u[..., None, None])**3
+    d = np.abs(u)[..., None, None]
+    e = np.stack([u.real, u.imag], axis=-1) / d[..., 0]
+    along = e[..., :, None] * e[..., None, :]
+    pull = force(d) / d * (np.eye(2) - along) + _slope(force, d) * along
     pull[np.diag_indices(len(r))] = 0
     pull[np.diag_indices(len(r))] = -pull.sum(axis=1)
     return pull.swapaxes(1, 2).reshape(2 * len(r), -1)

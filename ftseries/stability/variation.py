@@ -7,11 +7,16 @@ for ρ = exp(2πiν) on the unit circle ν is the *rotation number*.  In a mecha
 symplectic: M^T J M = J, det M = 1.
 """
 
+from __future__ import annotations
+
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy.integrate import solve_ivp
 
+from ..aliases import Array, ComplexArray
 from ..errors import InputError
 from ..trig import finite
 
@@ -39,18 +44,18 @@ class Monodromy:
     error: float
 
     @property
-    def multipliers(self):
+    def multipliers(self) -> ComplexArray:
         """All eigenvalues, sorted by angle; in a Jordan block they lose half of their digits."""
         values = np.linalg.eigvals(self.matrix)
         return values[np.argsort(np.angle(values))]
 
     @property
-    def determinant(self):
+    def determinant(self) -> float:
         """1 in exact arithmetic (Liouville's theorem)."""
         return float(np.linalg.det(self.matrix))
 
 
-def monodromy(linear, period, size):
+def monodromy(linear: Callable[[float], Array], period: float, size: int) -> tuple[Array, Array]:
     """The monodromy matrix of Y' = linear(t) Y by the Runge-Kutta method DOP853.
 
     Parameters
@@ -77,7 +82,7 @@ def monodromy(linear, period, size):
     if period <= 0:
         raise InputError(f"period={period:g}: give a positive number")
 
-    def run(tolerance):
+    def run(tolerance: float) -> Any:
         path = solve_ivp(lambda t, y: (linear(t) @ y.reshape(size, size)).ravel(), (0, period),
                          np.eye(size).ravel(), "DOP853", rtol=tolerance, atol=tolerance / 10)
         if not path.success:
@@ -88,13 +93,13 @@ def monodromy(linear, period, size):
     return fine, np.abs(fine - run(_COARSE))
 
 
-def symplectic(size):
+def symplectic(size: int) -> Array:
     """J, for positions followed by momenta."""
     half = np.eye(size // 2)
     return np.block([[0 * half, half], [-half, 0 * half]])
 
 
-def safe(matrix, change):
+def safe(matrix: Array, change: Array) -> float:
     """The largest change, or the departure of M^T J M from J if that is larger."""
     j = symplectic(len(matrix))
     return float(max(change.max(), np.abs(matrix.T @ j @ matrix - j).max()))

@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from browser import deck
 from browser.pages import NAMES, ROOT, Explorer, Watched, missing, served
 from ftbook import web
 
@@ -40,9 +41,10 @@ def browser():
 
 @pytest.fixture(scope="session")
 def minibook(tmp_path_factory):
-    """The folder of the built small book: index, explorers, faults, plain."""
+    """The folder of the built small book: index, explorers, faults, deck."""
     folder = tmp_path_factory.mktemp("minibook")
     shutil.copytree(HERE / "minibook", folder, dirs_exist_ok=True)
+    deck.write(folder / "book" / "deck.ipynb")
     for name in ("_config.yml", "requirements.lock", "book/_ext", "book/static", "book/templates",
                  "book/web", "book/references.bib"):
         (folder / name).symlink_to(ROOT / name)

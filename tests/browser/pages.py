@@ -15,7 +15,8 @@ ROOT = Path(__file__).parents[2]
 # html-manager's JSON schema validator says this about html-manager's own schema, once a schema.
 KNOWN = ("strict mode: use allowUnionTypes",)
 # The explorers of minibook/book/explorers.md, in the order of the page.
-NAMES = ("cubic", "mathieu", "figure_eight", "coefficients", "convergence", "stability")
+NAMES = ("cubic", "mathieu", "figure_eight", "coefficients", "convergence", "stability",
+         "van_der_pol", "force_exponent")
 
 
 def missing(what):
@@ -50,8 +51,7 @@ class Watched:
 
     def hear(self, message):
         url = message.location["url"]
-        if (message.type in ("warning", "error") and not message.text.startswith(KNOWN)
-                and not url.endswith("/favicon.ico")):      # which browsers ask of every server
+        if message.type in ("warning", "error") and not message.text.startswith(KNOWN):
             self.said.append(f"{message.type}: {message.text} ({url})")
 
     def is_local(self, url):

@@ -1,11 +1,15 @@
 """Explorers in the built page, without a kernel: they render, controls work, numbers agree."""
 
+import importlib
+
 import numpy as np
 import pytest
 from browser.pages import NAMES, Explorer
 
 import ftseries as fts
 from ftseries.references import cubic, mathieu
+from ftseries.references.floquet import ROTATION_NUMBERS
+from ftseries.references.van_der_pol import LimitCycle
 
 pytestmark = pytest.mark.filterwarnings("ignore::ftseries.ConvergenceWarning")
 
@@ -31,6 +35,9 @@ def test_every_explorer_renders(visit, address):
     ("mathieu", "order", "End", "order 60"),
     ("figure_eight", "λ", "Home", "λ = 0.000"), ("figure_eight", "order", "ArrowRight", "order 13"),
     ("coefficients", "order", "ArrowLeft", "order 23"),
+    ("van_der_pol", "ε", "ArrowRight", "ε = 2.05"),
+    ("van_der_pol", "order", "ArrowRight", "order 32"),
+    ("force_exponent", "α", "ArrowRight", "α = 1.01"), ("force_exponent", "α", "Home", "α = −0.50"),
 ])
 def test_sliders_change_state_and_picture(explorer, name, control, key, trace):
     shown = explorer(name)
@@ -165,6 +172,59 @@ def test_eight_agrees_with_python(explorer):
             assert abs(complex(text) - body) < 1e-3
 
 
+def test_van_der_pol_agrees_with_python(explorer):
+    """Inside the radius and beyond it: integrated, by the series and by Padé."""
+    module = importlib.import_module("ftseries.explorers.van_der_pol")
+    solution, shown = module.solution(65), explorer("van_der_pol")
+    for eps, order in ((0.5, 8), (1.8, 32), (3, 24), (7.25, 16), (10, 8)):
+        shown.type("ε", eps)
+        shown.type("order", order)
+        plain = solution.truncate(2 * order + 1).evaluate("omega", lam=eps**0.5)
+        better, _, _ = module.resum(module.approximants(solution, order), eps)
+        exact = LimitCycle(eps).omega
+        assert abs(shown.number("ω, integrated") - exact) < TOLERANCE
+        assert abs(shown.number("ω, series") - plain) < TOLERANCE * max(1, abs(plain))
+        assert abs(shown.number("ω, Padé") - better) < TOLERANCE
+        assert shown.readings["radius, |ε²|"] == "3.4202"
+        assert ("inside" if eps < 1.85 else "beyond") in shown.status
+
+
+def test_pade_can_be_switched_off(explorer):
+    """Beyond the radius the reader is told why the series fails."""
+    shown = explorer("van_der_pol")
+    assert "by Padé" in shown.status and shown.note == ""
+    pixels = shown.pictures()
+    shown.button("Padé").click()
+    assert "by Padé" not in shown.status and "switch Padé on" in shown.note
+    assert shown.readings["ω, Padé"] == "off" and shown.pictures() != pixels
+    shown.type("ε", 1)
+    assert shown.note == ""
+
+
+def test_the_frequency_takes_epsilon(explorer):
+    shown = explorer("van_der_pol")
+    picture = shown.box.get_by_role("img", name="The frequency over ε, with")
+    box = picture.bounding_box()
+    picture.click(position={"x": 0.55 * box["width"], "y": 0.5 * box["height"]})
+    assert 4 < shown.value("ε") < 6 and f"ε = {shown.value('ε'):.2f}" in shown.status
+
+
+def test_force_exponent_agrees_with_python(explorer):
+    """λ by Newton's method, the rotation numbers of gravitation as published."""
+    shown = explorer("force_exponent")
+    for nu, value in zip(("ν₁", "ν₂"), ROTATION_NUMBERS, strict=True):
+        assert abs(shown.number(nu) - value) < 1e-7
+    orbit = fts.solve(fts.FigureEight(), order=12).refine()
+    for alpha, stable in (("0.9", True), ("0.5", False), ("0", False), ("-0.4", True)):
+        orbit = orbit.refine(fts.FigureEight(alpha))
+        shown.type("α", alpha)
+        assert abs(shown.number("λ") - orbit.lam) < 1e-9
+        assert ("linearly stable" in shown.status) == stable
+        assert (shown.readings["ν₁"] == "none") != stable
+    shown.type("α", 5)
+    assert "α = 5 is outside -0.5 … 2; 2 is shown." in shown.note
+
+
 def test_triangle_shows_the_exact_numbers(explorer):
     solution = fts.solve(fts.FigureEight(), order=24)
     shown = explorer("coefficients")
@@ -214,9 +274,10 @@ def test_what_cannot_be_shown_says_so_in_its_place(visit, disk):
         "This explorer cannot be shown. The coefficients of phi contain NaN or infinite numbers.",
         "This explorer cannot be shown. The coefficients of r contain NaN or infinite numbers.",
         "This explorer cannot be shown. The series of psi is empty: there is nothing to show.",
+        "This explorer cannot be shown. The Padé approximants are missing.",
         "",
     ]
-    well = Explorer(page, 7)                    # the rest of the page lives on
+    well = Explorer(page, 8)                    # the rest of the page lives on
     well.handle("λ").press("ArrowRight")
     assert "λ = 1.01" in well.status
 

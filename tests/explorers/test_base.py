@@ -26,6 +26,7 @@ MAKE = {
     "coefficients": lambda: explorers.coefficients(eight(), "r"),
     "convergence": lambda: explorers.convergence(eight(24), order=20),
     "stability": explorers.stability,
+    "van_der_pol": explorers.van_der_pol,
 }
 
 

@@ -9,6 +9,7 @@ from ftbook import cache
 @pytest.fixture
 def root(tmp_path):
     (tmp_path / "ftseries" / "explorers").mkdir(parents=True)
+    (tmp_path / "benchmarks").mkdir()
     (tmp_path / "ftseries" / "solver.py").write_text("ORDER = 1\n")
     (tmp_path / "requirements.lock").write_text("numpy==2.4.6\n")
     return tmp_path
@@ -20,6 +21,7 @@ def root(tmp_path):
         ("ftseries/solver.py", True),
         ("ftseries/explorers/eight.js", True),
         ("requirements.lock", True),
+        ("benchmarks/results.json", True),
         ("ftseries/solver.pyc", False),
         ("README.md", False),
     ],

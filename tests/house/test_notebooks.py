@@ -61,3 +61,16 @@ def test_damaged_file_is_reported(tmp_path, capsys, damage):
     path.write_bytes(damage)
     assert tool.main([str(path), "--check"]) == 1
     assert "FAILED" in capsys.readouterr().out
+
+
+def test_notebooks_that_use_the_package_install_it_on_colab(tmp_path, capsys):
+    path = write(tmp_path / "user.ipynb", "import ftseries", "1 + 1")
+    assert tool.main([str(path)]) == 0
+    first, *others = nbformat.read(path, as_version=4).cells
+    assert first.source == tool.COLAB and first.metadata["tags"] == ["remove-cell"]
+    assert [cell.source for cell in others] == ["import ftseries", "1 + 1"]
+    before = path.read_bytes()
+    assert tool.main([str(path)]) == 0 and path.read_bytes() == before
+    write(path, "import ftseries")
+    assert tool.main([str(path), "--check"]) == 1
+    assert "install the package on Colab" in capsys.readouterr().out

@@ -1,15 +1,15 @@
 """The figure eight of section 4: printed coefficients, Newton's equations, other force laws."""
 
 import warnings
+from fractions import Fraction
 
 import numpy as np
 import pytest
 import sympy as sp
-from sample_problems import LemniscateEight, PowerLawEight
-from scipy.special import ellipj
 
 import ftseries as fts
-from ftseries.references import newton
+from ftseries.problems import LemniscateEight, PlanarEight
+from ftseries.references import lemniscate, newton
 
 eight = fts.figure_eight
 TRUE_LAMBDA = 2.0756839088491                 # from the shooting of references.newton, see below
@@ -157,72 +157,96 @@ def test_positions_of_many_lambdas(order_30):
 
 # --- other forces -------------------------------------------------------------------------------
 
+def residual(solution, lam, exponent):
+    """Largest departure from the equations of motion with the force d^-(exponent + 1)."""
+    t = 2 * np.pi * np.arange(512) / 512
+    z = eight.positions(solution, t, lam)
+    assert np.abs(z.sum(axis=0)).max() < 1e-12
+    return np.abs(second_derivative(z) - acceleration(z, exponent + 2)).max()
+
+
 @pytest.mark.parametrize("alpha, order, tolerance", [("1/2", 160, 1e-7), ("3/2", 240, 1e-4)])
 def test_power_laws_satisfy_their_newton_equations(alpha, order, tolerance):
     """The force |d|^{-(α+1)}: each has its own λ and rate of convergence."""
-    problem = PowerLawEight(alpha)
-    solution = fts.solve(problem, order, "float", progress=False)
+    solution = fts.solve(fts.FigureEight(alpha), order, "float", progress=False)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        lam = eight.closure_zero(solution)
-    t = 2 * np.pi * np.arange(256) / 256
-    z = eight.positions(solution, t, lam)
-    error = np.abs(second_derivative(z) - acceleration(z, float(problem.alpha) + 2)).max()
-    assert error < tolerance
-    assert np.abs(z.sum(axis=0)).max() < 1e-12
+        assert residual(solution, eight.closure_zero(solution), float(Fraction(alpha))) < tolerance
 
 
-def test_power_law_1_is_the_figure_eight():
-    assert (fts.solve(PowerLawEight(1), 12).coefficients
-            == fts.solve(fts.FigureEight(), 12).coefficients)
+@pytest.mark.parametrize("alpha", [0, 1, 2])
+def test_whole_exponents_in_exact_arithmetic(alpha):
+    """A_22 = 3/(4 (α + 5)) in units of 3^(1/(α + 2)), derived by hand in the book."""
+    solution = fts.solve(fts.FigureEight(alpha), 12)
+    assert (solution.coefficient("r", 2, 2)
+            == sp.Rational(3, 4 * (alpha + 5)) * 3 ** sp.Rational(1, alpha + 2))
+    float_ = fts.solve(fts.FigureEight(alpha), 12, "float")
+    for name in ("r", "phi"):
+        for mode, row in solution.table(name).items():
+            assert float_.table(name)[mode] == pytest.approx(row, rel=1e-12, abs=1e-15)
+
+
+def test_exponent_1_is_the_figure_eight():
+    solution = fts.solve(fts.FigureEight(1), 12)
+    assert solution.coefficients == fts.solve(fts.FigureEight(), 12).coefficients
+    assert repr(solution.problem) == "FigureEight()"
+
+
+@pytest.mark.parametrize("exponent", [-2, -3, "x", "sqrt(2)", float("nan"), None])
+def test_exponents_refused(exponent):
+    with pytest.raises(fts.InputError, match="exponent=.*above -2|is not a number"):
+        fts.FigureEight(exponent)
+
+
+@pytest.mark.parametrize("problem", [fts.FigureEight("3/2"), PlanarEight(0), LemniscateEight()])
+def test_problems_are_saved_with_their_force(problem, tmp_path):
+    solution = fts.solve(problem, 6, "float")
+    solution.save(tmp_path / "eight.json")
+    again = fts.load(tmp_path / "eight.json")
+    assert repr(again.problem) == repr(problem)
+    assert again.evaluate(next(iter(problem.unknowns)), 0.3, lam=0.2) == solution.evaluate(
+        next(iter(problem.unknowns)), 0.3, lam=0.2)
+
+
+@pytest.mark.parametrize("exponent", ["-1/2", 0, 1, "3/2"])
+def test_cartesian_and_polar_coordinates_give_one_motion(exponent):
+    """The same choreography, with λ of two meanings."""
+    polar = fts.solve(fts.FigureEight(), 12).refine().refine(fts.FigureEight(exponent))
+    planar = fts.solve(PlanarEight(), 12).refine().refine(PlanarEight(exponent))
+    t = np.linspace(0, 6, 40)
+    gap = eight.positions(polar, t, polar.lam) - eight.positions(planar, t, planar.lam)
+    assert np.abs(gap).max() < 1e-12
+    assert residual(planar, planar.lam, float(Fraction(exponent))) < 1e-8
+
+
+def test_cartesian_series_is_the_polar_one_expanded_again():
+    """x = r cos φ, y = r sin φ; the amplitude of y is another parameter, so at small λ."""
+    polar, planar = (fts.solve(problem, 14) for problem in (fts.FigureEight(), PlanarEight()))
+    t = 2 * np.pi * np.arange(64) / 64
+    y = polar.evaluate("r", t, lam=0.1) * np.sin(polar.evaluate("phi", t, lam=0.1))
+    lam = 2 * np.mean(y * np.cos(t))
+    x = polar.evaluate("r", t, lam=0.1) * np.cos(polar.evaluate("phi", t, lam=0.1))
+    # the first order left out, 0.15^16 = 7e-14, has a small coefficient
+    assert np.abs(planar.evaluate("y", t, lam=lam) - y).max() < 1e-14 * 5
+    assert np.abs(planar.evaluate("x", t, lam=lam) - x).max() < 1e-14 * 5
 
 
 class TestLemniscate:
     """Three bodies on Bernoulli's lemniscate, the one eight with a closed form."""
 
-    m = (2 + np.sqrt(3)) / 4
-    T = LemniscateEight.period
-
-    def relative(self, tau):
-        """r_12 upright at time tau of the period 2π: bodies 1 and 2 follow 3 by ∓T/3."""
-        def position(t):
-            sn, cn, _, _ = ellipj(t, self.m)
-            return (sn + 1j * sn * cn) / (1 + cn**2)
-        t = np.asarray(tau) * self.T / (2 * np.pi)
-        d = position(t - self.T / 3) - position(t + self.T / 3)
-        return 1j * np.conj(d)
-
-    def test_the_closed_form_solves_its_equations(self):
-        """The pair potential ½ ln r - (√3/24) r², with a spectral derivative."""
-        tau = 2 * np.pi * np.arange(1024) / 1024
-
-        def pull(t):
-            z = self.relative(t)
-            return z * (1 / (2 * np.abs(z) ** 2) - np.sqrt(3) / 12)
-
-        left = LemniscateEight.W * second_derivative(self.relative(tau))
-        right = -2 * pull(tau) + pull(tau - 2 * np.pi / 3) + pull(tau + 2 * np.pi / 3)
-        assert np.abs(left - right).max() < 1e-9
-
     def test_lambda_converges_to_that_of_the_lemniscate(self):
-        tau = 2 * np.pi * np.arange(4096) / 4096
-        phi = np.unwrap(np.angle(self.relative(tau)))
-        truth = abs(2 * np.mean((phi - phi.mean()) * np.cos(tau)))
         errors = []
         for order in (40, 80, 120, 200):
             solution = fts.solve(LemniscateEight(), order, "float", progress=False)
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                errors.append(abs(eight.closure_zero(solution) - truth))
+                errors.append(abs(eight.closure_zero(solution) - lemniscate.lam()))
         assert all(late < early / 2 for early, late in zip(errors, errors[1:], strict=False))
         assert errors[-1] < 1e-5
 
-    def test_the_series_is_the_lemniscate(self):
-        """Order 200 at the true λ: r_12(t) within 1e-4, the size of the left-out terms."""
-        tau = np.linspace(0, 2 * np.pi, 49)
-        truth = self.relative(tau)
-        solution = fts.solve(LemniscateEight(), 200, "float", progress=False)
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            r = solution.evaluate("r", tau, lam=2.0830394043899574)
-        assert np.abs(r - np.abs(truth)).max() < 1e-4
+    def test_refined_it_is_the_lemniscate(self):
+        """To rounding, which near the double points of |Z| is amplified about tenfold."""
+        orbit = fts.solve(LemniscateEight(), 60, "float", progress=False).refine()
+        t = np.linspace(0, 6, 50)
+        assert orbit.lam == pytest.approx(lemniscate.lam(), abs=1e-13)
+        assert np.abs(eight.positions(orbit, t, orbit.lam) - lemniscate.bodies(t)).max() < 1e-12

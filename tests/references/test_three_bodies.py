@@ -36,6 +36,15 @@ class TestBothIntegrators:
         r, v = method(0.8, *SCATTERED)
         np.testing.assert_allclose(method(-0.8, r, v)[0], SCATTERED[0], rtol=0, atol=1e-12)
 
+    @pytest.mark.parametrize("exponent", [-0.5, 0, 0.7, 2])
+    def test_lagrange_triangle_under_other_forces(self, method, exponent):
+        """ω² r = √3 d^-(α+1) at r = 1, d = √3."""
+        rate = np.sqrt(3 ** (-exponent / 2))
+        r, v = method([-1.0, 0.5, 2.0], TURN, 1j * rate * TURN, exponent=exponent)
+        exact = TURN[:, None] * np.exp(1j * rate * np.array([-1.0, 0.5, 2.0]))
+        np.testing.assert_allclose(r, exact, rtol=0, atol=2e-13)
+        np.testing.assert_allclose(v, 1j * rate * exact, rtol=0, atol=2e-13)
+
     def test_nothing_moves_in_no_time(self, method):
         np.testing.assert_array_equal(method(0, *SCATTERED), SCATTERED)
 
@@ -63,6 +72,14 @@ def test_the_integrators_agree():
     t = np.linspace(-1, 1, 41)
     np.testing.assert_allclose(
         integrate(t, *SCATTERED), integrate_taylor(t, *SCATTERED), rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("exponent", [-0.3, 0, 1.5])
+def test_the_integrators_agree_under_other_forces(exponent):
+    t = np.linspace(-1, 1, 41)
+    np.testing.assert_allclose(
+        integrate(t, *SCATTERED, exponent=exponent),
+        integrate_taylor(t, *SCATTERED, exponent=exponent), rtol=0, atol=5e-12)
 
 
 def test_taylor_in_digits():

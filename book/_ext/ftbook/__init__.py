@@ -5,20 +5,45 @@
 ``cache``  executed notebooks are reused only while the package is unchanged;
 ``docstrings``  bars in the formulas of docstrings;
 ``fallback``  a picture in the place of an explorer, for readers without JavaScript;
+``latex``  the book on paper;
+``site``  the address of the published book;
+``slides``  each chapter as a deck;
+``versions``  what the pages were built with;
 ``bibliography``  its entries as items of a list.
 """
 
 from docutils import nodes
 
-from ftbook import bibliography, cache, docstrings, fallback, links, web
+from ftbook import (
+    bibliography,
+    cache,
+    docstrings,
+    fallback,
+    latex,
+    links,
+    site,
+    slides,
+    versions,
+    web,
+)
 
 
 def setup(app):
     app.connect("config-inited", links.add_repository)
+    app.connect("config-inited", site.add_address)
     app.connect("config-inited", cache.key_by_package)
     app.connect("builder-inited", web.add_web_files)
     app.connect("autodoc-process-docstring", docstrings.escape_bars)
+    app.connect("builder-inited", latex.number_like_pages, priority=600)
+    app.connect("doctree-read", latex.add_links, priority=200)
+    app.connect("env-check-consistency", latex.number_figures)
+    app.connect("doctree-resolved", latex.prepare)
+    app.connect("source-read", slides.mark_cells)
+    app.connect("html-page-context", site.tidy_tags, priority=600)
+    app.connect("html-page-context", slides.cut, priority=600)
+    app.connect("html-collect-pages", slides.write)
     app.connect("doctree-read", fallback.add_pictures, priority=100)
+    app.add_directive("built-with", versions.BuiltWith)
     entry = (bibliography.visit_citation, bibliography.depart_citation)
     app.add_node(nodes.citation, override=True, html=entry)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

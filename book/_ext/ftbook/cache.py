@@ -12,8 +12,9 @@ SUFFIXES = {".py", ".js", ".css", ".json"}
 
 
 def fingerprint(root):
-    """Hexadecimal hash of the package's sources and of the lock file below ``root``."""
-    sources = (path for path in (root / "ftseries").rglob("*") if path.suffix in SUFFIXES)
+    """Hexadecimal hash of the package, the benchmarks' results and the lock file in ``root``."""
+    sources = [path for path in (root / "ftseries").rglob("*") if path.suffix in SUFFIXES]
+    sources += (root / "benchmarks").glob("*.json")
     digest = hashlib.sha256()
     for path in [*sorted(sources), root / "requirements.lock"]:
         digest.update(f"{path.relative_to(root).as_posix()}\0".encode())

@@ -9,6 +9,7 @@ import re
 import subprocess
 
 BRANCH = "main"
+COLAB = "https://colab.research.google.com"
 HOSTS = ("github.com", "gitlab.com")
 _ADDRESS = re.compile(
     r"(?:(?:https?|ssh|git)://)?(?:[^/@]+@)?(?P<host>[^/:@]+)(?::\d+(?=/))?[/:]"
@@ -57,5 +58,7 @@ def add_repository(app, config):
         launch_buttons={
             "notebook_interface": "jupyterlab",
             "binderhub_url": "https://mybinder.org",
+            # Colab opens notebooks of GitHub only, and the theme warns of others.
+            "colab_url": COLAB if address.startswith("https://github.com/") else "",
         },
     )

@@ -1,7 +1,7 @@
 """What the pages load in the browser, brought into the built book: no page asks the web.
 
-MathJax, require.js and the Jupyter widgets' html-manager come from npm at the versions of
-``book/web/package-lock.json``; anywidget's script comes with its Python package. A machine
+MathJax, require.js, the Jupyter widgets' html-manager and reveal.js come from npm at the versions
+of ``book/web/package-lock.json``; anywidget's script comes with its Python package. A machine
 without npm gets it from PyPI. The files are kept in ``_build/web`` and fetched again only when
 the versions change.
 """
@@ -23,6 +23,9 @@ LOCK = Path(__file__).parents[3] / "requirements.lock"
 FROM_NPM = {
     "mathjax/es5/tex-svg-full.js": "mathjax",
     "requirejs/require.js": "requirejs",
+    "reveal.js/dist/re*.css": "reveal",
+    "reveal.js/dist/reveal.js": "reveal",
+    "reveal.js/plugin/notes/notes.js": "reveal",
     "@jupyter-widgets/html-manager/dist/embed-amd.js": "html-manager",
     "@jupyter-widgets/html-manager/dist/*.woff2": "html-manager",
 }

@@ -1,0 +1,114 @@
+"""The built book in a browser: weight of its pages, time to a working explorer, frame times.
+
+    make book && python benchmarks/pages.py
+
+Prints a Markdown table.  Frames are measured while the pointer drags λ in the explorer of the
+figure eight at order 60, with software rendering; a screen of 60 Hz gives one every 16.7 ms.
+"""
+
+import contextlib
+import functools
+import http.server
+import os
+import shutil
+import statistics
+import threading
+import time
+from pathlib import Path
+
+from playwright.sync_api import sync_playwright
+
+BUILT = Path(__file__).parents[1] / "_build" / "html"
+WIDGETS, PLAIN = "book/figure_eight.html", "book/notation.html"
+FRAMES = """() => {
+    window.frames_ = [];
+    let last;
+    const step = now => { if (last) window.frames_.push(now - last); last = now;
+                          requestAnimationFrame(step); };
+    requestAnimationFrame(step);
+}"""
+
+
+def main(repeats=5):
+    path = os.environ.get("CHROMIUM") or shutil.which("chromium")
+    with served(BUILT) as home, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(
+            executable_path=path, args=["--no-sandbox", "--disable-gpu"])
+        rows = []
+        for name in (WIDGETS, PLAIN):
+            weight, loaded = visit(browser, f"{home}/{name}")
+            rows.append((f"{name}: weight", weight))
+            rows.append((f"{name}: requests", loaded))
+        waits = sorted(opening(browser, f"{home}/{WIDGETS}") for _ in range(repeats))
+        rows.append(("from opening to the explorer's first state",
+                     f"{statistics.median(waits):.2f} s ({waits[0]:.2f} to {waits[-1]:.2f})"))
+        frames = sorted(dragging(browser, f"{home}/{WIDGETS}"))
+        rows.append((f"frame while λ is dragged at order 60 ({len(frames)} frames)",
+                     f"median {statistics.median(frames):.1f} ms, "
+                     f"95th percentile {frames[int(0.95 * len(frames))]:.1f} ms"))
+        print("| quantity | measured |\n|---|---|")
+        for row in rows:
+            print("| {} | {} |".format(*row))
+        browser.close()
+
+
+@contextlib.contextmanager
+def served(folder):
+    class Handler(http.server.SimpleHTTPRequestHandler):
+        def log_message(self, *args):
+            pass
+
+    handler = functools.partial(Handler, directory=str(folder))
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()
+
+
+def visit(browser, url):
+    """Bytes and number of files that a page loads."""
+    page = browser.new_page()
+    sizes = []
+    page.on("response", lambda response: sizes.append(int(response.headers["content-length"])))
+    page.goto(url, wait_until="networkidle")
+    page.close()
+    return f"{sum(sizes) / 1e6:.2f} MB", str(len(sizes))
+
+
+def opening(browser, url):
+    page = browser.new_page()
+    start = time.perf_counter()
+    page.goto(url, wait_until="commit")
+    page.locator(".ft-explorer .ft-status:not(:empty)").first.wait_for()
+    wait = time.perf_counter() - start
+    page.close()
+    return wait
+
+
+def dragging(browser, url, moves=240):
+    page = browser.new_page(viewport={"width": 1200, "height": 900})
+    page.goto(url)
+    box = page.locator(".ft-explorer").first
+    box.locator(".ft-status:not(:empty)").wait_for()
+    order = box.get_by_role("textbox", name="order, typed")
+    order.click()
+    page.keyboard.press("Control+a")
+    page.keyboard.type("60")
+    page.keyboard.press("Enter")
+    handle = page.get_by_role("slider", name="λ", exact=True)
+    handle.scroll_into_view_if_needed()
+    track = box.locator(".noUi-target").filter(has=handle).bounding_box()
+    grip, middle = handle.bounding_box(), track["y"] + track["height"] / 2
+    page.mouse.move(grip["x"] + grip["width"] / 2, middle)
+    page.mouse.down()
+    page.evaluate(FRAMES)
+    for k in range(moves):
+        page.mouse.move(track["x"] + track["width"] * (0.1 + 0.8 * (k % 60) / 60), middle)
+    frames = page.evaluate("window.frames_")
+    page.mouse.up()
+    page.close()
+    return frames
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,52 @@
+// A deck starts when its formulas stand. Keys inside an explorer belong to the explorer;
+// Escape gives them back to the deck. The key D changes between light and dark.
+
+(() => {
+  const inside = (element) => element?.closest?.(".jupyter-widgets, .widget-subarea");
+
+  const start = () =>
+    window.Reveal.initialize({
+      width: 1280,
+      height: 720,
+      margin: 0.02,
+      center: false,
+      hash: true,
+      slideNumber: "c/t",
+      transition: "none",
+      backgroundTransition: "none",
+      scrollActivationWidth: null,
+      keyboardCondition: (event) => !event.defaultPrevented && !inside(event.target),
+      plugins: [window.RevealNotes],
+    });
+
+  const changeTheme = () => {
+    const { dataset } = document.documentElement;
+    dataset.theme = dataset.theme === "dark" ? "light" : "dark";
+  };
+
+  document.addEventListener("keydown", (event) => {
+    if (event.key === "Escape" && inside(event.target)) event.target.blur();
+  });
+
+  for (const link of document.querySelectorAll(".slides a:not([href^='#'])")) {
+    link.target = "_blank";
+  }
+
+  // A slide that is too full is set smaller, down to about half; what is left scrolls.
+  const isFull = (slide) =>
+    slide.scrollHeight > slide.clientHeight ||
+    [...slide.querySelectorAll("div.math, .output")].some((box) =>
+      box.scrollWidth > box.clientWidth + 1);
+  const fit = (slide) => {
+    for (let size = 30; size >= 17 && isFull(slide); size -= 1) {
+      slide.style.fontSize = `${size}px`;
+    }
+  };
+
+  window.MathJax.startup.promise.then(start).then(() => {
+    window.Reveal.addKeyBinding({ keyCode: 68, key: "D", description: "Dark or light" },
+      changeTheme);
+    window.Reveal.on("slidechanged", (event) => fit(event.currentSlide));
+    fit(window.Reveal.getCurrentSlide());
+  });
+})();

@@ -1,0 +1,78 @@
+"""The book on paper: tags, wide outputs, links to explorers, plain and numbered chapters."""
+
+from types import SimpleNamespace
+
+import pytest
+from docutils import nodes
+from docutils.utils import new_document
+from ftbook import latex
+from ftbook.fallback import IMAGE, WIDGET
+from sphinx import addnodes
+
+
+def app(**numbers):
+    return SimpleNamespace(
+        srcdir=".", builder=SimpleNamespace(format="latex"),
+        env=SimpleNamespace(docname="book/page", toc_secnumbers=numbers))
+
+
+def book(*parts):
+    preface = nodes.section("", nodes.title("", "Preface"), nodes.paragraph("", "Text."))
+    document = new_document("book")
+    document += [preface, *parts]
+    return document
+
+
+@pytest.mark.parametrize(("before", "after"), [
+    (r"x = 1 \tag{C3}", r"\begin{equation*}\begin{split}x = 1\end{split}\tag{C3}\end{equation*}"),
+    (r"x \tag{E_{\lambda}} = 1",
+     r"\begin{equation*}\begin{split}x  = 1\end{split}\tag{E_{\lambda}}\end{equation*}"),
+    ("x = 1", "x = 1"),
+])
+def test_tags_stand_outside_split(before, after):
+    formula = nodes.math_block("", before)
+    latex.prepare(app(), book(formula), "book/preface")
+    assert formula.astext() == after and bool(formula.get("nowrap")) == (before != after)
+
+
+def test_what_a_cell_prints_fits_the_line():
+    formula = nodes.math_block("", "x = 1")
+    output = nodes.container("", formula, nb_element="cell_code_output")
+    latex.prepare(app(), book(output), "book/preface")
+    assert formula.astext() == r"\ftfit{\begin{split}x = 1\end{split}}"
+
+
+def test_chapters_are_numbered_as_on_the_pages():
+    files = [addnodes.start_of_file("", nodes.section(), docname=name) for name in ("a", "b")]
+    document = book(*files)
+    latex.prepare(app(a={"": (1,)}, b={}), document, "book/preface")
+    first = [file[0].astext() for file in files]
+    assert first == [r"\setcounter{secnumdepth}{2}", r"\setcounter{secnumdepth}{-2}"]
+
+
+def test_pictures_leave_room_but_keep_a_width_of_their_own():
+    pictures = nodes.image(uri="a.png"), nodes.image(uri="b.png", width="3cm")
+    latex.prepare(app(), book(*pictures), "book/preface")
+    assert [picture["width"] for picture in pictures] == [latex.WIDTH, "3cm"]
+
+
+def test_other_builders_are_left_alone():
+    pages = app()
+    pages.builder.format = "html"
+    document = book(nodes.math_block("", r"x \tag{A}"))
+    before = document.pformat()
+    latex.prepare(pages, document, "book/preface")
+    assert document.pformat() == before
+
+
+@pytest.mark.parametrize("site", ["https://example.org/book/", ""])
+def test_an_explorer_is_a_picture_with_a_link(monkeypatch, site):
+    monkeypatch.setenv("FTSERIES_SITE", site)
+    kinds = [nodes.container(mime_type=kind) for kind in (WIDGET, IMAGE)]
+    output = nodes.container("", nodes.container("", *kinds, nb_element="mime_bundle"))
+    document = book(output)
+    latex.add_links(app(), document)
+    assert isinstance(output[1], addnodes.only) and output[1]["expr"] == "latex"
+    assert "book/page.html" in output[1].astext()
+    links = [link["refuri"] for link in output[1].findall(nodes.reference)]
+    assert links == ([f"{site}book/page.html"] if site else [])
