@@ -119,6 +119,7 @@ style: $(READY)
 	@echo "==> 1/5 style, imports, form of the notebooks"
 	$(BIN)/ruff check .
 	$(BIN)/lint-imports
+	$(BIN)/mypy
 	$(BIN)/python tools/normalise_notebooks.py --check
 
 unit: $(READY)
@@ -162,7 +163,8 @@ coverage: $(READY)
 
 mutants: $(READY)
 	$(BIN)/python -m pip install $(LOCKED) -e ".[mutants]"
-	$(BIN)/python tools/mutants.py
+	$(BIN)/mutmut run --max-children $(JOBS)
+	$(BIN)/mutmut results
 
 oldest:
 	$(PYTHON) -m venv _build/oldest
@@ -201,5 +203,6 @@ dist: $(READY)
 	$(BIN)/python -m build
 
 clean:
-	rm -rf $(VENV) _build build dist *.egg-info .pytest_cache .ruff_cache .import_linter_cache .hypothesis
+	rm -rf $(VENV) _build build dist *.egg-info .pytest_cache .ruff_cache .import_linter_cache .hypothesis \
+	.mypy_cache .coverage mutants
 	find ftseries book tests tools -name __pycache__ -type d -prune -exec rm -rf {} +

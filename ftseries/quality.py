@@ -289,7 +289,7 @@ class Quality:
         values = {key: float(evaluation.finite(key, value)) for key, value in parameters.items()}
         first = Orbit(self.problem, lam, {
             name: evaluation.amplitudes(self.table(name, **parameters), lam)
-            for name in self.problem.unknowns}, values)
+            for name in self.problem.unknowns}, parameters=values)
         orbit = first.refine(lam=None if condition else lam)
         if max(_change(first.coefficients[name], modes)
                for name, modes in orbit.coefficients.items()) > _FAR:

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .aliases import Array, ArrayLike, Mode, Modes, Real
-from .errors import SolveError
+from .errors import InputError, SolveError
 from .evaluation import fourier_sum
 from .problem import Scalar
 from .sampling import Sampled, Samples
@@ -44,17 +44,17 @@ class Orbit:
         The value of λ, solved for when the problem's condition was asked.
     coefficients : dict
         ``{name: {(sine, n): float}}`` in the paper's units.
-    parameters : dict
-        Values of the problem's free parameters.
     residual : float
         The largest absolute value of the residuals on the grid, in the solver's units.
     steps : int
         Newton steps taken.
+    parameters : dict
+        Values of the problem's free parameters.
     """
 
     def __init__(self, problem: Problem, lam: float, coefficients: dict[str, Modes],
-                 parameters: Mapping[str, float] | None = None, residual: float = np.nan,
-                 steps: int = 0) -> None:
+                 residual: float = np.nan, steps: int = 0,
+                 parameters: Mapping[str, float] | None = None) -> None:
         self.problem, self.lam, self.coefficients = problem, lam, coefficients
         self.parameters, self.residual, self.steps = parameters or {}, residual, steps
 
@@ -94,6 +94,10 @@ class Orbit:
         2.038129972545
         """
         problem, condition = problem or self.problem, lam is None
+        if problem.unknowns.keys() != self.problem.unknowns.keys():
+            raise InputError(f"{problem!r} has the unknowns {', '.join(problem.unknowns)}, but this "
+                             f"is an orbit with {', '.join(self.problem.unknowns)}; give a problem "
+                             "with the same unknowns")
         units = {name: float(problem.scale(name)) for name in problem.unknowns}
         unit = float(problem.lam_scale)
         old = {name: float(self.problem.scale(name)) for name in self.problem.unknowns}
@@ -104,7 +108,7 @@ class Orbit:
                                                self.parameters)
         modes = {name: {mode: units[name] * c for mode, c in row.items()}
                  for name, row in modes.items()}
-        return Orbit(problem, found * unit, modes, self.parameters, residual, steps)
+        return Orbit(problem, found * unit, modes, residual, steps, self.parameters)
 
 
 class Collocation:

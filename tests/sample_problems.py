@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from ftseries import Field, Problem, Scalar, cos, exp, sin
+from ftseries import Field, Problem, Scalar, exp, sin
 
 
 class Duffing(Problem):

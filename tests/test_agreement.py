@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 import sympy as sp
 from flint import arb, ctx, fmpq
+from hypothesis import given
+from hypothesis import strategies as st
 from sample_problems import SMALL, Duffing, Exponential, LotkaVolterra, Pendulum, VanDerPol
 
 import ftseries as fts
@@ -73,6 +75,42 @@ def test_the_order_asked_for_does_not_change_the_coefficients(make):
     assert long.truncate(11).coefficients == short.coefficients
     for order in range(4):
         assert fts.solve(make(), order).coefficients == short.truncate(order).coefficients
+
+
+class Oscillator(fts.Problem):
+    """ω² x'' + x + c_2 x² + c_3 x³ + … = 0 with given rational numbers c."""
+
+    unknowns = {"x": fts.Field("cos", fixed=(1,)), "omega": fts.Scalar()}
+    seed = {"x": [{}, {1: 1}], "omega": [1]}
+    frequency = "omega"
+
+    def __init__(self, c):
+        self.c = c
+
+    def equations(self, lam, x, omega):
+        force = x
+        for k, c in enumerate(self.c, 2):
+            force = force + c * x**k
+        return {"Newton": omega**2 * x.diff(2) + force}
+
+
+@given(st.lists(st.fractions(-2, 2, max_denominator=5), min_size=1, max_size=4))
+def test_random_oscillators_in_every_arithmetic(c):
+    problem, order = Oscillator(c), 9
+    exact, float_, balls = (fts.solve(problem, order, arithmetic)
+                            for arithmetic in ("exact", "float", "ball"))
+    values, floats = dict(numbers(exact)), dict(numbers(float_))
+    assert set(values) <= set(dict(numbers(balls)))
+    for key, ball in numbers(balls):
+        value = fraction(values.get(key, fmpq(0)))
+        assert abs(value - fraction(ball.mid())) <= fraction(ball.rad())
+        scale = max(abs(fraction(v)) for (_, m, _), v in values.items() if abs(m - key[1]) <= 1)
+        assert abs(floats.get(key, 0.0) - value) <= 1e-12 * scale
+    # the equation itself, by a spectral derivative; what is cut off is of order λ^10
+    t, omega, found = functions(exact, 0.01, 64)
+    x = found["x"]
+    force = x + sum(float(k) * x**p for p, k in enumerate(c, 2))
+    assert np.abs(derivative(x, omega, 2) + force).max() < 1e-12
 
 
 @pytest.mark.parametrize("make", [fts.CubicOscillator, fts.FigureEight, SMALL[6]],

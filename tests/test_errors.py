@@ -516,8 +516,8 @@ class TestRadius:
 @pytest.mark.parametrize("arithmetic", ["exact", "float", "ball"])
 def test_an_interrupt_leaves_no_trace(monkeypatch, arithmetic):
     """Ctrl-C in the middle: the precision of FLINT is as before, and the next solve is right."""
-    from ftseries import solver
-    before, stage = (flint.ctx.prec, flint.ctx.cap), solver._Stages.stage
+    from ftseries.stages import Stages
+    before, stage = (flint.ctx.prec, flint.ctx.cap), Stages.stage
 
     def interrupted(self, k):
         if k == 20:
@@ -526,7 +526,7 @@ def test_an_interrupt_leaves_no_trace(monkeypatch, arithmetic):
         stage(self, k)
 
     with monkeypatch.context() as patch:
-        patch.setattr(solver._Stages, "stage", interrupted)
+        patch.setattr(Stages, "stage", interrupted)
         with pytest.raises(KeyboardInterrupt):
             fts.solve(fts.FigureEight(), 30, arithmetic, precision=300)
     assert (flint.ctx.prec, flint.ctx.cap) == before

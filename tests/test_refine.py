@@ -118,3 +118,8 @@ def test_a_family_is_followed_in_lambda(eight):
         assert orbit.lam == lam
         expected = fts.figure_eight.closure(series, lam)
         assert fts.figure_eight.closure(orbit, lam) == pytest.approx(expected, abs=1e-10)
+
+
+def test_only_problems_with_the_same_unknowns_are_followed(eight):
+    with pytest.raises(fts.InputError, match="has the unknowns x, omega, but this is an orbit"):
+        eight.refine().refine(fts.CubicOscillator(a=1))

@@ -7,6 +7,7 @@ import pytest
 
 import ftseries as fts
 from ftseries.references import cubic, mathieu, newton
+from ftseries.resum import at_phase
 
 T = np.linspace(0, 2 * np.pi, 90, endpoint=False)
 
@@ -112,3 +113,25 @@ def test_bad_input_is_refused(oscillator, hill):
         oscillator.resum().evaluate("x", 0.0, lam=np.nan)
     with pytest.raises(fts.InputError, match="not an unknown"):
         oscillator.resum().evaluate("y", 0.0, lam=1)
+
+
+def test_a_field_at_one_phase():
+    """Summed at a small λ, the coefficients give the field and its slope there."""
+    sol, lam, tau = fts.solve(fts.CubicOscillator(a=2), order=16), 0.3, 0.7
+    omega = sol.evaluate("omega", lam=lam)
+    value, slope = (sum(float(c) * lam**m for m, c in enumerate(at_phase(sol, "x", tau, slope=s)))
+                    for s in (False, True))
+    assert value == pytest.approx(sol.evaluate("x", tau / omega, lam=lam), abs=1e-14)
+    near = sol.evaluate("x", (tau + 1e-4 * np.array([-2, -1, 1, 2])) / omega, lam=lam)
+    assert slope == pytest.approx(near @ [1, -8, 8, -1] / 12e-4, abs=1e-10)     # rounding / step
+
+
+@pytest.mark.parametrize("problem, name, tau, message", [
+    (fts.GeneralizedMathieu(), "psi", 0.0, "free parameters; give them values"),
+    (fts.CubicOscillator(), "omega", 0.0, "'omega' does not depend on the phase"),
+    (fts.CubicOscillator(a=1), "y", 0.0, "'y' is not an unknown"),
+    (fts.CubicOscillator(a=1), "x", float("nan"), "tau"),
+])
+def test_a_phase_that_is_refused(problem, name, tau, message):
+    with pytest.raises(fts.InputError, match=message):
+        at_phase(fts.solve(problem, order=4), name, tau)

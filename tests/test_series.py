@@ -223,6 +223,18 @@ def test_shifts_by_twelfths_over_the_root_of_three(a, b, p, q):
     equal(a.shift(Fraction(1, 3)) + a.shift(Fraction(2, 3)), a.neighbours())
 
 
+@given(a=rows, b=rows, c=rows, p=st.integers(0, 11), q=st.integers(0, 11))
+def test_ring_axioms_over_the_root_of_three(a, b, c, p, q):
+    """The shifts put √3 into the coefficients."""
+    a, b, c = make(Expansion(SurdRing()), a, b, c)
+    a, b = a.shift(Fraction(p, 12)), b.shift(Fraction(q, 12))
+    equal(a * b, b * a)
+    equal((a * b) * c, a * (b * c))
+    equal(a * (b + c), a * b + a * c)
+    equal(a + (b - a), b)
+    equal(1 / (1 + c.expansion.lam * a) * (1 + c.expansion.lam * a), c.expansion.constant(1))
+
+
 def test_the_root_of_three_reduces():
     ring = SurdRing(("mu",))
     assert ring.from_modes({(0, 0): ring.surd}).scale(ring.surd).modes() == {(0, 0): 3}

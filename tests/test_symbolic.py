@@ -343,15 +343,33 @@ def test_a_root_that_is_not_rational_is_named():
         oscillator("x'' + x*sqrt(2 + x) = 0", seed=SEED)
 
 
-def test_a_parameter_without_value_in_floats():
-    problem = oscillator("x'' + x + mu*x**3", parameters=("mu",))
-    with pytest.raises(fts.InputError, match="mu is a free parameter.* give it a value"):
-        fts.solve(problem, order=4, arithmetic="float")
+# what is wrong: equation, options of Equations, options of solve, what is quoted, the way out
+BAD_INPUT = {
+    "a typo in a symbol": ("x'' + omga**2*x = 0", {}, {}, "omga", "declare it or correct it"),
+    "a typo in SymPy": (X(T).diff(T, 2) + sp.Symbol("lamb") * X(T), {}, {}, "lamb", "declare it"),
+    "an unknown function": ("x'' + sinh(x) = 0", {}, {}, "sinh", "declare it or correct it"),
+    "an unknown SymPy function": (X(T).diff(T, 2) + sp.gamma(X(T)), {}, {}, "gamma(x)", "only"),
+    "too few equations": ("x'' + y = 0", {"frequency": None, "unknowns": {
+        "x": fts.Field("cos"), "y": fts.Field("cos")}}, {}, "(x, y)", "give one equation"),
+    "too many equations": (["x'' + x", "x' - 1", "x"], {}, {}, "equations: 3", "give one equation"),
+    "no value in floats": ("x'' + x + mu*x**3 = 0", {"parameters": ("mu",)},
+                           {"arithmetic": "float"}, "mu", "give it a value"),
+    "no value in balls": ("x'' + x + mu*x**3 = 0", {"parameters": ("mu",)},
+                          {"arithmetic": "ball"}, "mu", "give it a value"),
+    "a negative order": ("x'' + x + x**3 = 0", {}, {"order": -2}, "order=-2", "at least 0"),
+    "half an order": ("x'' + x + x**3 = 0", {}, {"order": 1.5}, "order=1.5", "whole number"),
+    "an order in words": ("x'' + x + x**3 = 0", {}, {"order": "six"}, "order='six'", "whole"),
+}
 
 
-def test_a_negative_order():
-    with pytest.raises(fts.InputError, match="order=-2: give a whole number of at least 0"):
-        fts.solve(oscillator("x'' + x + x**3"), order=-2)
+@pytest.mark.parametrize("what", BAD_INPUT)
+def test_bad_input_gets_one_sentence_that_quotes_it_and_names_the_way_out(what):
+    equation, changes, options, quoted, way_out = BAD_INPUT[what]
+    with pytest.raises(fts.InputError) as refusal:
+        fts.solve(oscillator(equation, **changes), **{"order": 4} | options)
+    sentence = str(refusal.value)
+    assert quoted in sentence and way_out in sentence
+    assert "\n" not in sentence and ". " not in sentence and len(sentence) < 300
 
 
 @pytest.mark.parametrize("equation, seed, message", [

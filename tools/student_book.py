@@ -17,7 +17,8 @@ import nbformat
 
 ROOT = Path(__file__).parents[1]
 COPIED = ("_config.yml", "_toc.yml", "requirements.lock", "requirements.txt", "pyproject.toml",
-          "README.md", "LICENSE", "LICENSE-TEXT", "CITATION.cff", "book", "ftseries")
+          "README.md", "LICENSE", "LICENSE-TEXT", "CITATION.cff", "book", "ftseries",
+          "benchmarks")
 LEFT_OUT = shutil.ignore_patterns("__pycache__", ".ipynb_checkpoints", "node_modules")
 
 FENCE = re.compile(r"^(?P<fence>`{3,}|:{3,})\{(?P<name>solution(?:-start|-end)?)\}")

@@ -43,7 +43,14 @@
     }
   };
 
-  window.MathJax.startup.promise.then(start).then(() => {
+  // The speaker's window has no styles that would hide a formula's second, spoken form.
+  const speak = () => {
+    for (const spoken of document.querySelectorAll("aside.notes mjx-assistive-mml")) {
+      spoken.remove();
+    }
+  };
+
+  window.MathJax.startup.promise.then(speak).then(start).then(() => {
     window.Reveal.addKeyBinding({ keyCode: 68, key: "D", description: "Dark or light" },
       changeTheme);
     window.Reveal.on("slidechanged", (event) => fit(event.currentSlide));

@@ -12,7 +12,9 @@ dχ = (u dy - y du)/W.  All this takes place in the algebra of
 coefficients solve the equations order by order, so they are those of the paper.
 
 A is a matrix of polynomials in μ for n ≤ N, and 1/n² beyond; the bounds are those of
-:mod:`ftseries.certify.convergence_bounds`.
+:mod:`ftseries.certify.convergence_bounds`.  A is injective as in
+:mod:`ftseries.certify.newton_kantorovich`: a square matrix over a commutative ring, here the power
+series in μ, that is onto has an inverse.
 """
 
 from __future__ import annotations
@@ -30,7 +32,7 @@ from . import certificate
 from .algebra import NotProved, at_least, at_most, upper
 from .convergence_bounds import GUESS, INVERSE, Matrix, Rows, block, prove
 from .eight import EightTheorem
-from .fourier_taylor import Space
+from .fourier_taylor import Integers, Space
 from .newton_kantorovich import Bounds
 
 __all__ = ["ConvergenceTheorem", "prove_convergence"]
@@ -203,7 +205,7 @@ def prove_convergence(series: Any, lam: Exact = "2.08", modes: int = 40,
 # --- guesses, in floats: values on the circle |μ| = 1, whose Fourier sums in μ are Taylor's
 
 def _guesses(series: Any, kappa: float, space: Space, modes: int,
-             polish: int) -> tuple[Rows, Rows, Matrix]:
+             polish: int) -> tuple[Integers, Integers, list[list[list[int]]]]:
     turns, points = 4 * space.orders, 8 * modes
     root_mu = np.exp(1j * np.pi * np.arange(turns) / turns)[:, None]
     t = 2 * np.pi * np.arange(points) / points
@@ -237,7 +239,7 @@ def _guesses(series: Any, kappa: float, space: Space, modes: int,
 
 
 def _newton_step(u: ComplexArray, y: ComplexArray, v: ComplexArray, mu: ComplexArray, kappa: float,
-                 t: Array, modes: int, top: int) -> tuple[ComplexArray, ComplexArray, ComplexArray]:
+                 t: Array, modes: int, top: int) -> tuple[Any, Any, Any]:
     """Newton's method for n ≤ N, and x_n = [x W^{-3/2}]_n / n² beyond, at each value of μ."""
     x, force, n = _fourier(u + y), _fourier((u + y) * v**3), np.arange(top + 1)
     waves, slopes = np.cos(np.outer(n, t)), -n[:, None] * np.sin(np.outer(n, t))
@@ -257,12 +259,12 @@ def _integers(row: Array) -> list[int]:
     return [int(c) for c in np.rint(np.ldexp(row, GUESS))]
 
 
-def _taylor(values: ComplexArray, orders: int) -> Array:
+def _taylor(values: ComplexArray, orders: int) -> Any:
     taylor: Array = np.fft.fft(values, axis=0).real[:orders] / len(values)
     return taylor
 
 
-def _fourier(f: ComplexArray) -> ComplexArray:
+def _fourier(f: ComplexArray) -> Any:
     """Amplitudes of cos nt at each value of μ."""
     c: ComplexArray = np.fft.fft(f, axis=1)[:, :f.shape[1] // 2] * 2 / f.shape[1]
     c[:, 0] /= 2
@@ -270,14 +272,14 @@ def _fourier(f: ComplexArray) -> ComplexArray:
 
 
 def _derivative(u: ComplexArray, y: ComplexArray, v: ComplexArray, mu: ComplexArray,
-                modes: int) -> ComplexArray:
+                modes: int) -> Any:
     """The block of DF at each value of μ."""
     g, h = v**3, v**5
     m = [[_fourier(g - 3 * u * u * h), _fourier(-3 * mu * u * y * h)],
          [_fourier(-3 * u * y * h), _fourier(g - 3 * mu * y * y * h)]]
     angle = [_fourier(-y * v * v), _fourier(u * v * v)]
 
-    def entry(n: int, k: int) -> ComplexArray:
+    def entry(n: int, k: int) -> Any:
         f, row = (m[n % 2][k % 2], n) if n else (angle[k % 2], 1)
         low = abs(row - k)
         value: ComplexArray = (f[:, low] * (1 if low else 2) + f[:, row + k]) / 2

@@ -18,12 +18,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
+from typing import TypeAlias
 
 from flint import arb, fmpz, fmpz_poly
 
 from .algebra import upper
 
 __all__ = ["BITS", "FourierTaylor", "Space", "size"]
+
+#: ``{n: [integers]}``: the coefficients of the powers of μ, by Fourier order
+Integers: TypeAlias = dict[int, list[int]]
 
 BITS = 96
 ULP = arb(2) ** -BITS

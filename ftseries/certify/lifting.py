@@ -19,7 +19,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from flint import fmpz, fmpz_poly
@@ -101,7 +101,7 @@ def lift(center: Mapping[int, float], inverse: ArrayLike, bits: int) -> Iterator
                    float(np.log10(np.abs(delta).sum() + 1) - known * np.log10(2)))
 
 
-def _times(a: Half, odd_a: bool, b: Half, odd_b: bool, bits: int, length: int) -> Half:
+def _times(a: Half, odd_a: bool, b: Half, odd_b: bool, bits: int, length: int) -> list[fmpz]:
     """The product of two functions, at most ``length`` coefficients of it."""
     p, q = ([*f[::-1], *f[0 if odd else 1:]] for f, odd in ((a, odd_a), (b, odd_b)))
     product = fmpz_poly(p) * (fmpz_poly(q) if b is not a else fmpz_poly(p))
@@ -109,7 +109,7 @@ def _times(a: Half, odd_a: bool, b: Half, odd_b: bool, bits: int, length: int) -
     return [c >> bits for c in product.coeffs()[start:start + length]]
 
 
-def _residual(u: Mapping[int, fmpz], v: Half, bits: int, modes: int) -> tuple[Array, Half]:
+def _residual(u: Mapping[int, fmpz], v: Half, bits: int, modes: int) -> tuple[Array, list[fmpz]]:
     """F(u) as floats in the unit of u, and |Z|^{-1} improved."""
     length = modes // 2 + 40
     scale = GUARD - 1                                           # u_n = 2 a_n
@@ -132,7 +132,7 @@ def _residual(u: Mapping[int, fmpz], v: Half, bits: int, modes: int) -> tuple[Ar
     return residual, v
 
 
-def _short(f: Half, e: Half, bits: int, length: int) -> Half:
+def _short(f: Half, e: Half, bits: int, length: int) -> list[fmpz]:
     """The product of f with a small e: a few leading bits of f suffice."""
     cut = max(0, bits - SHORT)
     short = [c >> cut for c in f]
@@ -141,19 +141,19 @@ def _short(f: Half, e: Half, bits: int, length: int) -> Half:
     return _times(short, False, e, False, bits - cut, length)
 
 
-def _plus(a: Half, b: Half) -> Half:
+def _plus(a: Half, b: Half) -> list[fmpz]:
     short, long = sorted((a, b), key=len)
     return [c + d for c, d in zip(short, long)] + long[len(short):]
 
 
-def _first_root(center: Mapping[int, float], bits: int) -> Half:
+def _first_root(center: Mapping[int, float], bits: int) -> list[fmpz]:
     points = 16 * max(center)
     x, y = _waves(center, points)
     a = np.fft.rfft((x * x + y * y)**-0.5).real[:3 * max(center):2] / points
     return [fmpz(int(np.ldexp(c, 60))) << (bits - 60) for c in a]
 
 
-def _waves(h: Mapping[int, float], points: int) -> Array:
+def _waves(h: Mapping[int, float], points: int) -> Any:
     """The even and the odd part of Σ h_n cos nt on a grid."""
     spectrum = np.zeros((2, points // 2 + 1))
     for n, c in h.items():

@@ -105,7 +105,8 @@ def family() -> dict[str, Any]:
     times = 2 * np.pi * np.arange(2048) / 2048
     for i, alpha in enumerate(exponents):
         orbit = orbits[alpha]
-        phi = np.angle(orbit.problem.vector(orbit, times, orbit.lam))
+        problem: Any = orbit.problem
+        phi = np.angle(problem.vector(orbit, times, orbit.lam))
         modes = {"lam": {(0, 0): 2 * np.mean(phi * np.cos(times))}, **orbit.coefficients}
         for name, found in modes.items():
             for mode, value in found.items():

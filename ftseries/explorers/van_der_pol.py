@@ -47,7 +47,7 @@ class VanDerPolView(View):
     pades = traitlets.Dict().tag(sync=True)
 
 
-def van_der_pol(eps: float = 2.5, order: int = 24, resummed: bool = True) -> Explorer:
+def van_der_pol(eps: float = 2.0, order: int = 24, resummed: bool = True) -> Explorer:
     """Explore x″ + x = ε (1 - x²) x′: ε from 0 past the radius of convergence to 10.
 
     Parameters

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.ticker import ScalarFormatter
 
 from .style import COLOURS, LINES
 
@@ -27,7 +27,7 @@ def growth(ax: Axes, curves: Mapping[str, Sequence[tuple[float, float]]], label:
                                                   strict=False):
         ax.loglog(*zip(*points, strict=True), color=colour, ls=line, marker=mark, ms=5, label=name)
     ax.set(xlabel=label, ylabel="seconds")
-    ax.xaxis.set_major_formatter(plt.ScalarFormatter())
+    ax.xaxis.set_major_formatter(ScalarFormatter())
     ax.legend(loc="center left", bbox_to_anchor=(1, 0.5))
 
 

@@ -5,10 +5,10 @@ Index convention and formula.  With the ansatz (E5) for r_12 = r and φ_12 = φ,
 .. math::  r(t) = \sum_{n \ge 0} \sum_{m \ge n} λ^{2m} A_{2n,2m} \cos 2nt, \qquad
            φ(t) = λ \cos t + \sum_{n \ge 1} \sum_{m \ge n} λ^{2m+1} B_{2n+1,2m+1} \cos (2n+1)t,
 
-and r_23(t) = r(t - 2π/3), r_31(t) = r(t + 2π/3), likewise φ.  Two bodies at the distance d attract one
-another with the force d^{-(α+1)}, gravitation having α = 1.  Lengths are measured in the ℓ at which
-the force is ℓ/3, that is 3^{1/(α+2)}; then the force is 1 at the length 1, all coefficients are
-rational, and the force of the two others carries the factor 1/3.  With Z = r e^{iφ} and Q, which
+and r_23(t) = r(t - 2π/3), r_31(t) = r(t + 2π/3), likewise φ.  Two bodies at the distance d attract
+each other with the force d^{-(α+1)}, gravitation having α = 1.  Lengths are measured in the ℓ at
+which the force is ℓ/3, that is 3^{1/(α+2)}; then the force is 1 at the length 1, all coefficients
+are rational, and the two others pull with the factor 1/3.  With Z = r e^{iφ} and Q, which
 drops the Fourier modes that are multiples of 3, the equations are one: Z'' = -Q(Z/|Z|^{α+2}).
 """
 
@@ -98,8 +98,8 @@ class FigureEight(Problem):
 class PlanarEight(FigureEight):
     """The same motions in Cartesian coordinates, r_12 = x + iy, where λ is the amplitude of cos t.
 
-    The series is short of the physical λ, but Newton's method (:meth:`Orbit.refine`) converges from
-    further away: there is no singularity where two bodies come close.
+    The series converges only just at the physical λ, but Newton's method (``Orbit.refine``) does
+    from further away, and with fewer modes where two bodies come close: φ jumps there, Z does not.
 
     Examples
     --------

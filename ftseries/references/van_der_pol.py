@@ -54,10 +54,10 @@ class LimitCycle:
         self.eps = float(real("eps", eps))
         if not 0 <= self.eps <= LARGEST:
             raise InputError(f"eps={eps!r}: give a number from 0 to {LARGEST:g}")
-        self.amplitude = 2.0 if self.eps == 0 else root_scalar(
-            lambda a: a + self._half(a).y[0, -1], x0=2.0, x1=2.02, xtol=1e-14).root
+        self.amplitude = 2.0 if self.eps == 0 else float(root_scalar(
+            lambda a: a + self._half(a).y[0, -1], x0=2.0, x1=2.02, xtol=1e-14).root)
         self._path = self._half(self.amplitude)
-        self.omega = np.pi / self._path.t[-1]
+        self.omega = float(np.pi / self._path.t[-1])
         tau = np.pi * np.arange(_POINTS) / _POINTS
         self._start = 0.0
         self._start = float(np.angle(np.mean(self(tau) * np.exp(-1j * tau))))

@@ -46,7 +46,7 @@ def minibook(tmp_path_factory):
     shutil.copytree(HERE / "minibook", folder, dirs_exist_ok=True)
     deck.write(folder / "book" / "deck.ipynb")
     for name in ("_config.yml", "requirements.lock", "book/_ext", "book/static", "book/templates",
-                 "book/web", "book/references.bib"):
+                 "book/web", "book/assets", "book/references.bib"):
         (folder / name).symlink_to(ROOT / name)
     fetched = ROOT / "_build" / "web" / web.version()       # else the build brings them
     if fetched.exists():

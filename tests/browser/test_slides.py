@@ -62,6 +62,17 @@ def test_notes_are_for_the_speaker_alone(deck):
     assert "Welcome everybody" in deck.evaluate("Reveal.getSlideNotes()")
 
 
+def test_speaker_sees_the_notes_and_the_next_slide(deck):
+    with deck.expect_popup() as opened:
+        go(deck, "s")
+    window = opened.value
+    notes = window.locator(".speaker-controls-notes .value")
+    notes.filter(has_text="Welcome everybody").wait_for()
+    assert notes.locator("svg").count() == 1 and notes.locator("math").count() == 0
+    upcoming = window.frame_locator("#upcoming-slide iframe")
+    upcoming.get_by_role("heading", name="A formula").wait_for()
+
+
 def test_explorer_takes_the_keys_while_it_has_the_focus(deck):
     slide = go(deck, "ArrowRight", "ArrowRight", "ArrowRight")      # one is for the fragment
     shown = Explorer(deck, 0)

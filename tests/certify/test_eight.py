@@ -181,3 +181,10 @@ def test_altered_certificate_with_a_fresh_checksum_is_refused(saved, name):
     certificate.write(saved, data)
     with pytest.raises(NotProved, match="fails for the numbers of this certificate"):
         check(saved)
+
+
+def test_eights_of_other_forces_are_not_proved():
+    """Their orbits solve other equations than those the theorem is about."""
+    orbit = fts.solve(fts.FigureEight(), 6).refine().refine(fts.FigureEight("9/10"))
+    with pytest.raises(fts.errors.InputError, match="under gravitation"):
+        prove_eight(orbit)

@@ -35,6 +35,13 @@ def test_tags_stand_outside_split(before, after):
     assert formula.astext() == after and bool(formula.get("nowrap")) == (before != after)
 
 
+@pytest.mark.parametrize("before", ["Z\u0304 = 1", r"\|A F(ū)\|"])
+def test_bars_are_set_by_tex(before):
+    formula = nodes.math("", before)
+    latex.prepare(app(), book(nodes.paragraph("", "", formula)), "book/preface")
+    assert formula.astext() in (r"\bar{Z} = 1", r"\|A F(\bar{u})\|")
+
+
 def test_what_a_cell_prints_fits_the_line():
     formula = nodes.math_block("", "x = 1")
     output = nodes.container("", formula, nb_element="cell_code_output")

@@ -5,6 +5,7 @@ on the pages, figures leave room for text, and an explorer is a picture with a l
 """
 
 import re
+import unicodedata
 
 from docutils import nodes
 from sphinx import addnodes
@@ -13,6 +14,7 @@ from ftbook import site
 from ftbook.fallback import IMAGE, WIDGET
 
 TAG = re.compile(r"\\tag\*?\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}")
+BAR = "\N{COMBINING MACRON}"
 WIDTH = "78%"           # of the text, for pictures that have no width of their own
 PLAIN, NUMBERED = -2, 2     # deepest numbered level: none, sections of chapters
 
@@ -52,6 +54,8 @@ def prepare(app, document, docname):
         return
     preface = document.next_node(nodes.section)
     preface.insert(1, nodes.raw("", r"\ftpreface{Preface}", format="latex"))
+    for formula in [*document.findall(nodes.math), *document.findall(nodes.math_block)]:
+        _set_bars(formula)
     for formula in document.findall(nodes.math_block):
         _set_tag(formula)
     for output in document.findall(nodes.container):
@@ -63,6 +67,13 @@ def prepare(app, document, docname):
     for file in document.findall(addnodes.start_of_file):
         depth = NUMBERED if app.env.toc_secnumbers.get(file["docname"], {}).get("") else PLAIN
         file.insert(0, nodes.raw("", rf"\setcounter{{secnumdepth}}{{{depth}}}", format="latex"))
+
+
+def _set_bars(formula):
+    """Docstrings write a bar as Unicode does, which the mathematical fonts lack."""
+    letters = unicodedata.normalize("NFD", formula.astext())
+    if BAR in letters:
+        formula[:] = [nodes.Text(re.sub(rf"(.){BAR}", r"\\bar{\1}", letters))]
 
 
 def _set_tag(formula):
