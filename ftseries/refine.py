@@ -95,9 +95,9 @@ class Orbit:
         """
         problem, condition = problem or self.problem, lam is None
         if problem.unknowns.keys() != self.problem.unknowns.keys():
-            raise InputError(f"{problem!r} has the unknowns {', '.join(problem.unknowns)}, but this "
-                             f"is an orbit with {', '.join(self.problem.unknowns)}; give a problem "
-                             "with the same unknowns")
+            raise InputError(f"{problem!r} has the unknowns {', '.join(problem.unknowns)}, but "
+                             f"this is an orbit with {', '.join(self.problem.unknowns)}; give a "
+                             "problem with the same unknowns")
         units = {name: float(problem.scale(name)) for name in problem.unknowns}
         unit = float(problem.lam_scale)
         old = {name: float(self.problem.scale(name)) for name in self.problem.unknowns}

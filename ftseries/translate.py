@@ -251,9 +251,6 @@ def _one(env: Environment) -> Function:
 
 
 def _product(builds: list[Build]) -> Build:
-    if not builds:
-        return _one
-
     def build(env: Environment) -> Function:
         total = None
         for part in builds:

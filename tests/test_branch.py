@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import ftseries as fts
+from ftseries.branch import branch_point
 from ftseries.references import mathieu
 
 
@@ -56,3 +57,10 @@ def test_the_logarithm_of_the_oscillator_is_no_branch_point_of_this_kind():
 def test_too_few_coefficients():
     with pytest.raises(fts.InputError, match="too few"):
         fts.solve(fts.FigureEight(), order=10).branch_point("r")
+
+
+def test_a_guess_that_is_no_solution_is_refused():
+    """Newton's method overflows; nothing is said of where it ended."""
+    guess = {"psi": {(1, 3): 1e200}, "a": {(0, 0): 1e200}}
+    with np.errstate(all="ignore"), pytest.raises(fts.SolveError, match="no two solutions meet"):
+        branch_point(fts.GeneralizedMathieu(mu=0), guess, guess, 1 + 1j)

@@ -135,3 +135,16 @@ def test_a_field_at_one_phase():
 def test_a_phase_that_is_refused(problem, name, tau, message):
     with pytest.raises(fts.InputError, match=message):
         at_phase(fts.solve(problem, order=4), name, tau)
+
+
+def test_what_is_shown(oscillator):
+    assert repr(oscillator.resum()) == "<Padé sum of <Solution of CubicOscillator(a=1), " \
+        "order 60, exact>>"
+    orbit = oscillator.refine(lam=0.5)
+    assert repr(orbit).startswith("<Orbit of CubicOscillator(a=1) at λ = 0.5, residual ")
+
+
+def test_one_mode_has_the_radius_of_the_whole(oscillator):
+    """λ = 3a, the separatrix (C9)."""
+    radius = oscillator.radius_of_convergence("x", n=1)
+    assert abs(radius.value - 3) < 10 * radius.error < 0.3

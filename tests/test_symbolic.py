@@ -386,3 +386,25 @@ def test_a_free_amplitude_is_named():
         "x": fts.Field("cos", modes="odd"), "omega": fts.Scalar()})
     with pytest.raises(fts.UndeterminedError, match="λ has no concrete meaning yet"):
         fts.solve(problem, order=6)
+
+
+# --- what is left ---------------------------------------------------------------------------------
+
+def test_equations_are_shown_as_they_are_read():
+    assert repr(oscillator("x'' = -x - x^3")) == "Equations(x**3 + x + x'' = 0)"
+
+
+def test_a_language_without_fields():
+    assert Language(time="t", lam="lam", fields=()).expression("2*lam^2") == 2 * LAM**2
+
+
+@pytest.mark.parametrize("value", [object(), "1 +", [1]])
+def test_a_parameter_that_is_no_number(value):
+    with pytest.raises(fts.InputError, match="the parameter c has the value"):
+        oscillator("x'' + x + c*x**3", parameters={"c": value})
+
+
+def test_a_derivative_by_something_else():
+    s = sp.Symbol("s")
+    with pytest.raises(fts.InputError, match="not a derivative by t"):
+        oscillator(sp.Derivative(X(T, s), s) + X(T))

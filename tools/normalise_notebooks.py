@@ -22,7 +22,7 @@ from nbclient.exceptions import CellExecutionError
 
 ROOT = Path(__file__).parents[1]
 TIMEOUT = 600  # seconds for one cell
-KEPT_METADATA = ("jupytext", "kernelspec", "language_info")
+KEPT_METADATA = ("jupytext", "kernelspec", "language_info", "myst")
 WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
 ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}\b")
 COLAB = """\

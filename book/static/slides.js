@@ -38,7 +38,13 @@
     [...slide.querySelectorAll("div.math, .output")].some((box) =>
       box.scrollWidth > box.clientWidth + 1);
   const fit = (slide) => {
-    for (let size = 30; size >= 17 && isFull(slide); size -= 1) {
+    const explorer = slide.querySelector(".ft-explorer");
+    if (explorer && isFull(slide)) {
+      const room = slide.clientHeight - (slide.scrollHeight - explorer.offsetHeight);
+      explorer.style.maxWidth = `${explorer.offsetWidth}px`;
+      explorer.style.zoom = Math.max(0.5, room / explorer.offsetHeight);
+    }
+    for (let size = 30; !explorer && size >= 17 && isFull(slide); size -= 1) {
       slide.style.fontSize = `${size}px`;
     }
   };
@@ -53,7 +59,12 @@
   window.MathJax.startup.promise.then(speak).then(start).then(() => {
     window.Reveal.addKeyBinding({ keyCode: 68, key: "D", description: "Dark or light" },
       changeTheme);
-    window.Reveal.on("slidechanged", (event) => fit(event.currentSlide));
-    fit(window.Reveal.getCurrentSlide());
+    // An explorer takes its size when it comes into sight.
+    const look = () => {
+      const slide = window.Reveal.getCurrentSlide();
+      window.setTimeout(() => fit(slide), slide.querySelector(".ft-explorer") ? 300 : 0);
+    };
+    window.Reveal.on("slidechanged", look);
+    look();
   });
 })();

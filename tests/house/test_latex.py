@@ -49,6 +49,16 @@ def test_what_a_cell_prints_fits_the_line():
     assert formula.astext() == r"\ftfit{\begin{split}x = 1\end{split}}"
 
 
+def test_exercises_are_referred_to_by_their_number():
+    book_app = app()
+    book_app.env.sphinx_exercise_registry = {"ex-a": {}}
+    links = [addnodes.number_reference("", "1.2", refuri="%book/a#ex-a"),
+             addnodes.number_reference("", "1.3", refuri="%book/a#fig-a")]
+    paragraph = nodes.paragraph("", "", *links)
+    latex.prepare(book_app, book(paragraph), "book/preface")
+    assert paragraph[0].astext() == r"\hyperref[exercise:ex-a]{1.2}" and paragraph[1] is links[1]
+
+
 def test_chapters_are_numbered_as_on_the_pages():
     files = [addnodes.start_of_file("", nodes.section(), docname=name) for name in ("a", "b")]
     document = book(*files)

@@ -1,6 +1,7 @@
 """Repository links: the buttons appear for addresses that a reader can open, else they do not."""
 
 import subprocess
+from types import SimpleNamespace
 
 import pytest
 from ftbook import links
@@ -50,3 +51,12 @@ def test_environment_comes_before_the_remote(tmp_path, monkeypatch):
     assert links.find_repository(str(tmp_path)) == "https://github.com/someone/ftseries"
     monkeypatch.setenv("FTSERIES_REPOSITORY", "")
     assert links.find_repository(str(tmp_path)) is None
+
+
+@pytest.mark.parametrize(("host", "colab"), [("github.com", True), ("gitlab.com", False)])
+def test_colab_opens_notebooks_of_github_alone(monkeypatch, host, colab):
+    monkeypatch.setenv("FTSERIES_REPOSITORY", f"https://{host}/someone/ftseries")
+    config = SimpleNamespace(html_theme_options={})
+    links.add_repository(SimpleNamespace(srcdir="."), config)
+    buttons = config.html_theme_options["launch_buttons"]
+    assert buttons["binderhub_url"] and bool(buttons["colab_url"]) == colab

@@ -62,11 +62,21 @@ def prepare(app, document, docname):
         if output.get("nb_element") == "cell_code_output":
             for formula in output.findall(nodes.math_block):
                 _fit(formula)
+    for number in list(document.findall(addnodes.number_reference)):
+        _name_exercise(number, getattr(app.env, "sphinx_exercise_registry", {}))
     for image in document.findall(nodes.image):
         image.setdefault("width", WIDTH)
     for file in document.findall(addnodes.start_of_file):
         depth = NUMBERED if app.env.toc_secnumbers.get(file["docname"], {}).get("") else PLAIN
         file.insert(0, nodes.raw("", rf"\setcounter{{secnumdepth}}{{{depth}}}", format="latex"))
+
+
+def _name_exercise(number, exercises):
+    """sphinx-exercise gives LaTeX another label than the one that Sphinx refers to by number."""
+    label = number.get("refid") or number.get("refuri", "").partition("#")[2]
+    if label in exercises:
+        link = rf"\hyperref[exercise:{label}]{{{number.astext()}}}"
+        number.replace_self(nodes.raw("", link, format="latex"))
 
 
 def _set_bars(formula):
