@@ -12,7 +12,7 @@ from sample_problems import SMALL, Duffing, VanDerPol
 import ftseries as fts
 from ftseries.expansion import Expansion
 from ftseries.laurent import RationalRing
-from ftseries.linear import Elimination, LinearPart, Tangent
+from ftseries.linear import Dual, Elimination, LinearPart, Tangent
 from ftseries.trig import Ring
 
 PROBLEMS = [fts.CubicOscillator, lambda: fts.GeneralizedMathieu("1/3"), fts.FigureEight, *SMALL]
@@ -165,3 +165,39 @@ def test_dual_numbers_are_a_ring_of_their_own():
     from ftseries.linear import DualRing
     assert issubclass(DualRing, Ring)
     assert DualRing(RationalRing()).names == ()
+
+
+@pytest.mark.parametrize("alpha, value, slope", [(fmpq(1, 2), fmpq(2), fmpq(1, 4)),
+                                                 (fmpq(-1), fmpq(1, 4), fmpq(-1, 16)),
+                                                 (fmpq(3, 2), fmpq(8), fmpq(3))])
+def test_powers_of_a_dual_number(alpha, value, slope):
+    """(4 + ε cos τ)^α."""
+    ring = RationalRing()
+    u = Dual(ring.from_modes({(0, 0): fmpq(4)}), ring.from_modes({(0, 1): fmpq(1)}))
+    power = u.power(alpha)
+    assert power.value.modes() == {(0, 0): value}
+    assert power.tangent.modes() == {(0, 1): slope}
+
+
+@pytest.mark.parametrize("make", PROBLEMS, ids=IDS)
+def test_the_elimination_inverts_each_column(make):
+    """L₀ x = L₀ e_c for a column c: x is e_c up to the kernel, and nothing is left over."""
+    linear = part(make())
+    columns = {step[1] for step in linear.elimination.steps}
+    for column in columns:
+        x, left = linear.elimination.solve(linear.rows([{column: fmpq(1)}], 0))
+        assert {c: v for c, v in x.items() if v} == {column: 1}
+        assert not any(left.values())
+    assert linear.elimination.converted(fmpq).kernel == linear.elimination.kernel
+
+
+@pytest.mark.parametrize("make", [fts.FigureEight, lambda: fts.GeneralizedMathieu("1/3"), Duffing],
+                         ids=["eight", "Mathieu", "Duffing"])
+def test_the_response_of_a_family_leaves_only_its_effects(make):
+    """DR·(T_0 + λ T_1 + …) vanishes in every row that some column can change."""
+    linear = part(make(), top=9)
+    for family in linear.families:
+        family.effect(2)
+        for late in (1, 2):
+            rows = linear.rows(family.terms, late)
+            assert {row: c for row, c in rows.items() if c} == family.effect(late)

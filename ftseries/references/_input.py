@@ -8,9 +8,8 @@ from typing import Any
 import mpmath
 import numpy as np
 
+from ftseries.aliases import Array
 from ftseries.errors import InputError
-
-from ..aliases import Array
 
 GUARD = 10
 """Decimal digits carried beyond those asked for."""

@@ -31,10 +31,9 @@ import mpmath
 import numpy as np
 from scipy import integrate, special
 
+from ftseries.aliases import Array
 from ftseries.errors import InputError
 from ftseries.references._input import in_digits, number, order, real
-
-from ..aliases import Array
 
 __all__ = [
     "elliptic_parameter", "energy", "fourier_coefficient", "frequency", "invariants", "period",

@@ -22,10 +22,9 @@ import flint
 import sympy
 from flint import fmpq, fmpq_series
 
+from ftseries.aliases import Exact, Expr
 from ftseries.errors import InputError
 from ftseries.references._input import order as checked
-
-from ..aliases import Exact, Expr
 
 __all__ = ["fourier_taylor", "frequency_squared_taylor", "frequency_taylor"]
 

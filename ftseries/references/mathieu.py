@@ -27,11 +27,10 @@ import numpy as np
 from scipy import special
 from scipy.integrate import solve_ivp
 
+from ftseries.aliases import ArrayLike
 from ftseries.errors import InputError
 from ftseries.references import _input
 from ftseries.references._input import in_digits, number, real
-
-from ..aliases import ArrayLike
 
 __all__ = [
     "eigenfunction", "eigenvalue", "hill_matrix", "integrate", "mathieu_b", "sine_coefficients",

@@ -17,10 +17,9 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import root_scalar
 
+from ftseries.aliases import ArrayLike
 from ftseries.errors import InputError
 from ftseries.references._input import real
-
-from ..aliases import ArrayLike
 
 __all__ = ["LimitCycle"]
 

@@ -99,4 +99,5 @@ def test_no_serious_barrier(visit, disk, audit, theme):
     page.wait_for_function("window.Reveal && Reveal.isReady()")
     for _ in range(6):
         page.keyboard.press("Space")
+        page.wait_for_timeout(500)              # fragments fade in
         assert audit(page) == []
