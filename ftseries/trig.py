@@ -49,11 +49,11 @@ def rational(x: Exact) -> fmpq:
     if hasattr(x, "_mpf_"):                                        # mpmath or a SymPy Float
         x = Fraction(*to_rational(x._mpf_)) if isfinite(x) else float(x)
     try:
-        f = Fraction(int(x.p), int(x.q)) if hasattr(x, "p") and hasattr(x, "q") else Fraction(x)
+        f = Fraction(x)
     except (TypeError, ValueError, ArithmeticError):
         raise InputError(f"{x!r} is not a rational number; give an int, a Fraction, a decimal "
                          "string or a SymPy Rational") from None
-    return fmpq(f.numerator, f.denominator)
+    return fmpq(int(f.numerator), int(f.denominator))
 
 
 def finite(name: str, value: Any) -> Array:

@@ -10,7 +10,7 @@ from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from ftseries.errors import InputError
+from ftseries.errors import InputError, NonAnalyticError
 from ftseries.grid import FloatRing
 from ftseries.laurent import BallRing, PolynomialRing, RationalRing
 from ftseries.trig import Ring, Table, Trig, finite, rational
@@ -172,3 +172,33 @@ def test_multiplying_modes_by_i_is_the_derivative_of_each_kind():
 def test_the_base_ring_is_exact_by_default():
     assert Ring.exact and Ring.names == () and not FloatRing.exact
     assert isinstance(RationalRing().from_modes({}), Trig)
+
+
+def test_a_long_mantissa_is_kept():
+    with mpmath.workprec(200):
+        third = rational(mpmath.mpf(1) / 3)
+    assert 0 < abs(third - fmpq(1, 3)) < fmpq(1, 2**199)
+    assert rational(sp.Float("0.1", 40)) != rational(0.1)
+
+
+def test_finite_gives_the_values():
+    assert finite("t", [1, 2.5]).tolist() == [1.0, 2.5]
+
+
+def test_parts_that_meet_are_added():
+    """(3 + 4i) e^{iτ}: cos τ to 3 cos τ - 4 sin τ, and sin τ to 3 sin τ + 4 cos τ."""
+    ring = RationalRing()
+    f = ring.from_modes({(0, 1): fmpq(1), (1, 1): fmpq(2)})
+    assert f.multiply_modes(lambda n, ring: (3, 4 * n)).modes() == {(0, 1): 11, (1, 1): 2}
+
+
+def test_rounding_is_no_oscillation():
+    ring = FloatRing(degree=4)
+    start = ring.from_modes({(0, 0): 4.0, (0, 2): 1e-12})
+    assert start.power(fmpq(1, 2)).modes()[0, 0] == pytest.approx(2, rel=1e-15)
+    with pytest.raises(NonAnalyticError, match="the power 1/2 needs an argument that is constant"):
+        ring.from_modes({(0, 0): 4.0, (0, 2): 1e-3}).power(fmpq(1, 2))
+    with pytest.raises(NonAnalyticError, match="exp needs an argument that is constant"):
+        ring.from_modes({(0, 2): 1e-3}).exp()
+    with pytest.raises(NonAnalyticError, match="the power 1/2 of a quantity that vanishes"):
+        ring.from_modes({}).power(fmpq(1, 2))

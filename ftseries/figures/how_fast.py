@@ -26,6 +26,7 @@ def growth(ax: Axes, curves: Mapping[str, Sequence[tuple[float, float]]], label:
     for (name, points), colour, line, mark in zip(curves.items(), COLOURS, LINES, _MARKS,
                                                   strict=False):
         ax.loglog(*zip(*points, strict=True), color=colour, ls=line, marker=mark, ms=5, label=name)
+    ax.set_xscale("log", base=2)
     ax.set(xlabel=label, ylabel="seconds")
     ax.xaxis.set_major_formatter(ScalarFormatter())
     ax.legend(loc="center left", bbox_to_anchor=(1, 0.5))
