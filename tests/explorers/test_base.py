@@ -23,6 +23,7 @@ MAKE = {
     "cubic": lambda: explorers.cubic(stored=24),
     "mathieu": lambda: explorers.mathieu(stored=16),
     "figure_eight": lambda: explorers.figure_eight(stored=20),
+    "force_exponent": explorers.force_exponent,
     "coefficients": lambda: explorers.coefficients(eight(), "r"),
     "convergence": lambda: explorers.convergence(eight(24), order=20),
     "stability": explorers.stability,
