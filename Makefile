@@ -137,7 +137,7 @@ strict-book: $(READY)
 
 browser-tested: $(READY)
 	@echo "==> 5/5 every page of the built book in a browser without a network"
-	$(PYTEST) -n $(JOBS) --dist loadfile tests/browser
+	$(PYTEST) -n $(JOBS) --dist worksteal tests/browser
 
 notebooks: $(READY)
 	$(BIN)/python tools/normalise_notebooks.py

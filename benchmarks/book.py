@@ -1,4 +1,4 @@
-"""How long the book takes to build and to test, and how heavy its pages are.
+"""How long the book takes to build and to test, and how its pages do in a browser.
 
     make bench-book
 
@@ -12,10 +12,13 @@ import subprocess
 import time
 from pathlib import Path
 
+import pages
+
 ROOT = Path(__file__).parents[1]
 STEPS = {"cold build, every notebook executed": ["make", "strict-book"],
          "warm build, nothing changed": ["make", "book"],
-         "unit tests and doctests": ["make", "unit"]}
+         "unit tests and doctests": ["make", "unit"],
+         "every notebook, executed and compared": ["make", "notebooks-tested"]}
 
 
 def seconds(command):
@@ -24,18 +27,16 @@ def seconds(command):
     return round(time.perf_counter() - start, 1)
 
 
-def weights(site):
-    """Kilobytes of every page of the book, and of the whole site."""
-    pages = {path.stem: round(path.stat().st_size / 1e3)
-             for path in sorted((site / "book").glob("*.html"))}
+def megabytes(site):
     total = sum(path.stat().st_size for path in site.rglob("*") if path.is_file())
-    return {"pages": pages, "site": round(total / 1e3)}
+    return round(total / 1e6, 1)
 
 
 def main():
     times = {name: seconds(command) for name, command in STEPS.items()}
     found = {"machine": {"cores": os.cpu_count(), "python": platform.python_version()},
-             "seconds": times, "kilobytes": weights(ROOT / "_build" / "html")}
+             "seconds": times, "megabytes": megabytes(ROOT / "_build" / "html"),
+             "pages": pages.measure()}
     target = Path(__file__).with_name("book.json")
     target.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
     print(target.read_text())

@@ -1,8 +1,6 @@
 """The built book in a browser: weight of its pages, time to a working explorer, frame times.
 
-    make book && python benchmarks/pages.py
-
-Prints a Markdown table.  Frames are measured while the pointer drags λ in the explorer of the
+Frames are measured while the pointer drags λ in the explorer of the
 figure eight at order 60, with software rendering; a screen of 60 Hz gives one every 16.7 ms.
 """
 
@@ -29,27 +27,26 @@ FRAMES = """() => {
 }"""
 
 
-def main(repeats=5):
+def measure(repeats=5):
+    """``{quantity: text}``; empty where no browser is installed."""
     path = os.environ.get("CHROMIUM") or shutil.which("chromium")
+    if path is None:
+        return {}
+    found = {}
     with served(BUILT) as home, sync_playwright() as playwright:
         browser = playwright.chromium.launch(
             executable_path=path, args=["--no-sandbox", "--disable-gpu"])
-        rows = []
-        for name in (WIDGETS, PLAIN):
-            weight, loaded = visit(browser, f"{home}/{name}")
-            rows.append((f"{name}: weight", weight))
-            rows.append((f"{name}: requests", loaded))
+        for name, kind in ((WIDGETS, "with an explorer"), (PLAIN, "without")):
+            found[f"what a page loads, {kind}"] = visit(browser, f"{home}/{name}")
         waits = sorted(opening(browser, f"{home}/{WIDGETS}") for _ in range(repeats))
-        rows.append(("from opening to the explorer's first state",
-                     f"{statistics.median(waits):.2f} s ({waits[0]:.2f} to {waits[-1]:.2f})"))
+        found["from opening a page to a working explorer"] = (
+            f"{statistics.median(waits):.1f} s ({waits[0]:.1f} to {waits[-1]:.1f})")
         frames = sorted(dragging(browser, f"{home}/{WIDGETS}"))
-        rows.append((f"frame while λ is dragged at order 60 ({len(frames)} frames)",
-                     f"median {statistics.median(frames):.1f} ms, "
-                     f"95th percentile {frames[int(0.95 * len(frames))]:.1f} ms"))
-        print("| quantity | measured |\n|---|---|")
-        for row in rows:
-            print("| {} | {} |".format(*row))
+        found["one frame while λ is dragged, order 60"] = (
+            f"median {statistics.median(frames):.1f} ms, "
+            f"95th percentile {frames[int(0.95 * len(frames))]:.1f} ms")
         browser.close()
+    return found
 
 
 @contextlib.contextmanager
@@ -66,13 +63,13 @@ def served(folder):
 
 
 def visit(browser, url):
-    """Bytes and number of files that a page loads."""
+    """Megabytes and number of files that a page loads, the first time."""
     page = browser.new_page()
     sizes = []
     page.on("response", lambda response: sizes.append(int(response.headers["content-length"])))
     page.goto(url, wait_until="networkidle")
     page.close()
-    return f"{sum(sizes) / 1e6:.2f} MB", str(len(sizes))
+    return f"{sum(sizes) / 1e6:.1f} MB in {len(sizes)} files"
 
 
 def opening(browser, url):
@@ -109,6 +106,3 @@ def dragging(browser, url, moves=240):
     page.close()
     return frames
 
-
-if __name__ == "__main__":
-    main()

@@ -64,6 +64,8 @@ def test_explorers_with_a_kernel(visit, lab):
     def run(number):
         prompt = cells.nth(number).locator(".jp-InputPrompt")
         for _ in range(10):                         # Lab drops keys while its kernel connects
+            if (answer := page.locator(".jp-Dialog .jp-mod-accept")).count():
+                answer.first.click()                # or asks which kernel is meant
             cells.nth(number).locator(".cm-content").click()
             page.keyboard.press("Shift+Enter")
             page.wait_for_timeout(2000)
