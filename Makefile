@@ -182,7 +182,7 @@ bench: $(READY)
 	$(BIN)/python tools/normalise_notebooks.py book/how_fast.ipynb
 
 bench-book: $(READY)
-	$(BIN)/python benchmarks/book.py
+	PYTHONPATH=tests $(BIN)/python benchmarks/book.py
 
 # --- housekeeping -----------------------------------------------------------------------------
 

@@ -4,16 +4,13 @@ Frames are measured while the pointer drags λ in the explorer of the
 figure eight at order 60, with software rendering; a screen of 60 Hz gives one every 16.7 ms.
 """
 
-import contextlib
-import functools
-import http.server
 import os
 import shutil
 import statistics
-import threading
 import time
 from pathlib import Path
 
+from browser.pages import Explorer, served
 from playwright.sync_api import sync_playwright
 
 BUILT = Path(__file__).parents[1] / "_build" / "html"
@@ -49,19 +46,6 @@ def measure(repeats=5):
     return found
 
 
-@contextlib.contextmanager
-def served(folder):
-    class Handler(http.server.SimpleHTTPRequestHandler):
-        def log_message(self, *args):
-            pass
-
-    handler = functools.partial(Handler, directory=str(folder))
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}"
-        server.shutdown()
-
-
 def visit(browser, url):
     """Megabytes and number of files that a page loads, the first time."""
     page = browser.new_page()
@@ -85,16 +69,10 @@ def opening(browser, url):
 def dragging(browser, url, moves=240):
     page = browser.new_page(viewport={"width": 1200, "height": 900})
     page.goto(url)
-    box = page.locator(".ft-explorer").first
-    box.locator(".ft-status:not(:empty)").wait_for()
-    order = box.get_by_role("textbox", name="order, typed")
-    order.click()
-    page.keyboard.press("Control+a")
-    page.keyboard.type("60")
-    page.keyboard.press("Enter")
+    shown = Explorer(page, 0)
+    shown.type("order", 60)
     handle = page.get_by_role("slider", name="λ", exact=True)
-    handle.scroll_into_view_if_needed()
-    track = box.locator(".noUi-target").filter(has=handle).bounding_box()
+    track = shown.box.locator(".noUi-target").filter(has=handle).bounding_box()
     grip, middle = handle.bounding_box(), track["y"] + track["height"] / 2
     page.mouse.move(grip["x"] + grip["width"] / 2, middle)
     page.mouse.down()

@@ -278,6 +278,14 @@ def test_lambda_without_a_meaning(order, arithmetic):
             "cos 1τ in x at order 3", "no concrete meaning", "fixed")
 
 
+def test_a_number_that_no_equation_holds():
+    def equations(self, lam, x, omega, b):
+        return Duffing.equations(self, lam, x, omega)
+    refused(lambda: fts.solve(declared(
+        equations=equations, unknowns=Duffing.unknowns | {"b": Scalar("even")},
+        seed=Duffing.seed | {"b": [1]}), 5), UndeterminedError, "the coefficient b_2")
+
+
 def test_a_phase_that_nothing_fixes():
     both = {"y": Field("both", modes="odd", powers="odd"), "omega": Scalar()}
     refused(lambda: fts.solve(declared(VanDerPol, unknowns=both), 8), UndeterminedError,

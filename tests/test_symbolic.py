@@ -70,6 +70,17 @@ def test_e3_typed_as_printed_gives_the_coefficients_of_the_built_in_eight(eight)
     assert fts.solve(eight, 8).coefficients == fts.solve(fts.FigureEight(), 8).coefficients
 
 
+def test_shifts_by_thirds_with_a_parameter():
+    """cos³(τ - a) + cos³(τ + a) = -¾ cos τ + ½ cos 3τ for a = 2π/3: by hand to order 3."""
+    sol = fts.solve(fts.Equations(
+        "x'' + x + mu*(x(t - 2*pi/(3*omega))**3 + x(t + 2*pi/(3*omega))**3)",
+        {"x": fts.Field("cos", modes="odd", powers="odd", fixed=(1,)),
+         "omega": fts.Scalar("even")}, frequency="omega", parameters=("mu",)), 4)
+    mu = sp.Symbol("mu")
+    assert sol.coefficient("omega", 2) == -3 * mu / 8
+    assert sol.coefficient("x", 3, 3) == mu / 16
+
+
 def test_a_choreography_in_floats(eight):
     mine, built_in = (fts.solve(p, 20, arithmetic="float") for p in (eight, fts.FigureEight()))
     for n in range(0, 21, 2):

@@ -7,7 +7,7 @@ stands the proof itself, which :mod:`ftseries.certify.checking` does again.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from flint import arb
 
@@ -15,7 +15,8 @@ from .. import jsonfile
 from ..aliases import FilePath, Json
 from .algebra import NotProved
 
-__all__ = ["ball", "exact", "number", "read", "read_ball", "require", "write"]
+__all__ = ["ball", "exact", "number", "read", "read_ball", "require", "upper_bound",
+           "write"]
 
 _KIND = "ftseries certificate"
 
@@ -55,3 +56,13 @@ def require(holds: bool, inequality: str) -> None:
     """Raise :class:`NotProved` unless an inequality holds."""
     if not holds:
         raise NotProved(f"not proved: {inequality} fails for the numbers of this certificate")
+
+
+def upper_bound(values: Iterable[arb]) -> arb:
+    """An upper bound of all of them, for a checker."""
+    worst = arb(0)
+    for x in values:
+        x = x.upper()
+        require(x.is_finite(), "a finite norm")
+        worst = x if x > worst else worst
+    return worst

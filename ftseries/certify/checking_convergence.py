@@ -9,7 +9,7 @@ polynomial in μ with balls for coefficients, and a bound on what is missing in 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from itertools import accumulate
 from operator import mul
 
@@ -17,7 +17,7 @@ from flint import arb, arb_poly
 
 from ..aliases import Json
 from .algebra import at_least, at_most
-from .certificate import number, require
+from .certificate import number, require, upper_bound
 
 __all__ = ["check_convergence"]
 
@@ -128,7 +128,7 @@ def check_convergence(data: Json) -> str:
             and all(len(row) == len(index) for row in data["inverse"]), "the size of the matrix")
     a = [[arb_poly(c) * arb(2) ** -30 for c in row] for row in data["inverse"]]
     columns = [sum((_length(row[j]) for row in a), arb(0)) for j in range(len(index))]
-    norm_a = _largest([*columns, 1 / arb(top + 1) ** 2])
+    norm_a = upper_bound([*columns, 1 / arb(top + 1) ** 2])
     rate = (u * y.slope() + (y * u.slope()).times(-1)) * inverse
     y_bound = _residual(center, [u * g, y * g], rate, a, index, kappa, norm_a)
     z1 = _first(a, m, angle, index, limits[0], norm_a)
@@ -159,16 +159,6 @@ def _powers(u: _Waves, y: _Waves, roots: list[_Waves]) -> Callable[[int], _Waves
         root = roots[p - 1]
         return root.widened(root.norm() * ((1 - defect) ** (-arb(p) / 2) - 1))
     return power
-
-
-def _largest(values: Iterable[arb]) -> arb:
-    """An upper bound of all of them."""
-    worst = arb(0)
-    for x in values:
-        x = x.upper()
-        require(x.is_finite(), "a finite norm")
-        worst = x if x > worst else worst
-    return worst
 
 
 def _residual(center: dict[int, list[int]], force: list[_Waves], rate: _Waves,
@@ -215,17 +205,17 @@ def _first(a: list[list[arb_poly]], m: list[list[_Waves]], angle: list[_Waves], 
             sums.append(sum((c * b for row in table for c, b in zip(row, reached)), arb(0))
                         + beyond(k))
     far = [(m[0][j].norm() + m[1][j].norm()) / (top + 1) ** 2 for j in (0, 1)]
-    error = _largest(m[0][j].error + m[1][j].error + angle[j].error for j in (0, 1))
-    return (_largest([*sums, *far]) + norm_a * error).upper()
+    error = upper_bound(m[0][j].error + m[1][j].error + angle[j].error for j in (0, 1))
+    return (upper_bound([*sums, *far]) + norm_a * error).upper()
 
 
 def _second(u: _Waves, y: _Waves, roots: list[_Waves]) -> tuple[arb, arb, arb]:
     """Bounds of the second derivative of F and of the first ones of ρ and χ in the whole ball."""
     power, part = _powers(u, y, roots), (u, y)
-    s, b = power(1).norm(), _largest(x.norm() for x in part)
+    s, b = power(1).norm(), upper_bound(x.norm() for x in part)
     fifth = [(power(5) * x).norm() for x in part]
     uu, uy, yy = power(7) * u * u, power(7) * u * y, power(7) * y * y
     seventh = [f.norm() for f in (uu * u, uu * y, uy * y, yy * y)]
-    force = _largest(15 * (seventh[i + j] + seventh[i + j + 1]) + 3 * (fifth[i] + fifth[j])
+    force = upper_bound(15 * (seventh[i + j] + seventh[i + j + 1]) + 3 * (fifth[i] + fifth[j])
                      + (3 * (fifth[0] + fifth[1]) if i == j else 0) for i in (0, 1) for j in (0, 1))
     return force + s**2 + 2 * b**2 * s**4, s * b, s**2 * b

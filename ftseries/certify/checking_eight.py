@@ -9,7 +9,7 @@ The inequalities are those of :mod:`ftseries.certify.eight` and
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,7 +17,7 @@ from flint import acb, arb, arb_mat, arb_poly, ctx
 
 from ..aliases import Json
 from .algebra import at_least, at_most
-from .certificate import number, read_ball, require
+from .certificate import number, read_ball, require, upper_bound
 
 __all__ = ["Laurent", "Proved", "check_eight", "lambda_zero", "prove", "residual"]
 
@@ -135,7 +135,7 @@ def prove(data: dict[str, Json]) -> Proved:
     index = [n for n in range(1, top + 1) if n % 3]
     a = arb_mat([[number(c) for c in row] for row in data["inverse"]])
     require((a.nrows(), a.ncols()) == (len(index),) * 2, "the size of the matrix")
-    norm_a = _largest([*_column_norms(a, index, index, nu), 1 / arb(top + 1) ** 2])
+    norm_a = upper_bound([*_column_norms(a, index, index, nu), 1 / arb(top + 1) ** 2])
     y = residual(u, [part[i] * g for i in (0, 1)], a, index, top, norm_a, nu)
     z1 = _first(a, m, index, top, norm_a, nu)
     s = (size * (1 - wide) ** (-arb(1) / 2)).upper()
@@ -146,16 +146,6 @@ def prove(data: dict[str, Json]) -> Proved:
             "the enclosure of λ₀")
     _initial_values(data, part, low, nu)
     return Proved(nu, top, u, index, a, norm_a, z1, z2, low, high, largest)
-
-
-def _largest(values: Iterable[arb]) -> arb:
-    """An upper bound of all of them."""
-    worst = arb(0)
-    for x in values:
-        x = x.upper()
-        require(x.is_finite(), "a finite norm")
-        worst = x if x > worst else worst
-    return worst
 
 
 def _column_norms(matrix: arb_mat, rows: list[int], columns: list[int], nu: arb) -> Iterator[arb]:
@@ -199,8 +189,8 @@ def _first(a: arb_mat, m: list[list[Laurent]], index: list[int], top: int, norm_
                 total += abs(entry(n, k)) / n**2 * nu**n
         sums.append(total / nu**k)
     far = [(m[0][j].norm() + m[1][j].norm()) / (top + 1) ** 2 for j in (0, 1)]
-    error = _largest(m[0][j].error + m[1][j].error for j in (0, 1))
-    return (_largest([*sums, *far]) + norm_a * error).upper()
+    error = upper_bound(m[0][j].error + m[1][j].error for j in (0, 1))
+    return (upper_bound([*sums, *far]) + norm_a * error).upper()
 
 
 def lambda_zero(part: Sequence[Laurent], square: Laurent, e: arb, size: arb, low: arb) -> arb:

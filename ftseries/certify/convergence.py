@@ -27,7 +27,7 @@ from flint import arb, ctx
 
 from ..aliases import Array, ComplexArray, Exact, FilePath
 from ..errors import InputError
-from ..problems.figure_eight import FigureEight
+from ..problems.figure_eight import is_gravitational
 from . import certificate
 from .algebra import NotProved, at_least, at_most, upper
 from .convergence_bounds import GUESS, INVERSE, Matrix, Rows, block, prove
@@ -181,8 +181,7 @@ def prove_convergence(series: Any, lam: Exact = "2.08", modes: int = 40,
     >>> print(fts.certify.prove_convergence(series, lam=1, modes=20))  # doctest: +ELLIPSIS
     Theorem. The Fourier-Taylor series of the figure eight converge absolutely for all |λ| ≤ 1: ...
     """
-    if repr(getattr(series, "problem", None)) != repr(FigureEight()) or not hasattr(series,
-                                                                                   "table"):
+    if not is_gravitational(series) or not hasattr(series, "table"):
         raise InputError(f"{series!r} is not a series of the figure eight")
     if not isinstance(modes, int) or modes < 4:
         raise InputError(f"modes={modes!r}: give an integer of at least 4")

@@ -25,7 +25,7 @@ from flint import acb, arb, arb_mat, ctx
 
 from ..aliases import FilePath, Json
 from ..errors import InputError
-from ..problems.figure_eight import FigureEight, closure_zero
+from ..problems.figure_eight import closure_zero, is_gravitational
 from . import certificate
 from .algebra import RING, Enclosure, at_least, at_most, largest_of, upper
 from .consequences import distance_from, initial_values, lambda_zero
@@ -138,7 +138,7 @@ def prove_eight(orbit: Any, lam: float | None = None, modes: int = 100, nu: Any 
     >>> theorem.radius < 1e-13 < 1e-8 < theorem.uniqueness, theorem.lam.str(12, radius=False)
     (True, '2.07568390885')
     """
-    if repr(getattr(orbit, "problem", None)) != repr(FigureEight()):
+    if not is_gravitational(orbit):
         raise InputError(f"{orbit!r} is not a figure eight under gravitation")
     if not isinstance(modes, int) or modes < 4:
         raise InputError(f"modes={modes!r}: give an integer of at least 4")

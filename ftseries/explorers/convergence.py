@@ -12,6 +12,7 @@ from matplotlib.axes import Axes
 from .. import analysis
 from ..errors import InputError
 from ..problems import FigureEight
+from ..problems.figure_eight import is_gravitational
 from ..references import newton
 from ..solution import Solution
 from ..solver import solve
@@ -57,7 +58,7 @@ def convergence(sol: Solution, order: int = 40) -> Explorer:
     >>> explorer.controls["order"].max, explorer.view.order
     (40, 24)
     """
-    if (not isinstance(sol, Solution) or repr(sol.problem) != repr(FigureEight())
+    if (not isinstance(sol, Solution) or not is_gravitational(sol)
             or sol.arithmetic != "exact" or sol.order < 24):
         raise InputError(f"{sol!r}: give an exact solution of FigureEight, of order 24 or more")
     if order not in range(FIRST, sol.order + 1):

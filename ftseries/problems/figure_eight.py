@@ -169,6 +169,12 @@ class LemniscateEight(FigureEight):
         return {}
 
 
+def is_gravitational(sol: Any) -> bool:
+    """Whether ``sol`` belongs to the problem FigureEight() itself, not to a relative of it."""
+    problem = getattr(sol, "problem", None)
+    return type(problem) is FigureEight and bool(problem.exponent == 1)
+
+
 def relative(sol: Any, t: ArrayLike, lam: ArrayLike) -> Any:
     """r_12, r_23, r_31 of (E2), (E5b), (E5d) as complex numbers, shape (3,) + t.shape.
 

@@ -1,0 +1,23 @@
+"""Certificates that say something else, with a checksum that fits."""
+
+import pytest
+
+from ftseries.certify import NotProved, certificate, check
+
+
+def set_at(*keys, value):
+    """A change: what stands at data[key][key]… becomes ``value``."""
+    def change(data):
+        for key in keys[:-1]:
+            data = data[key]
+        data[keys[-1]] = value
+    return change
+
+
+def refused(path, change):
+    """The altered certificate proves nothing, although its checksum is fresh."""
+    data = certificate.read(path)
+    change(data)
+    certificate.write(path, data)
+    with pytest.raises(NotProved, match="fails for the numbers of this certificate"):
+        check(path)
