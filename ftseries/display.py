@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from .aliases import Expr, Mode
-from .errors import InputError
+from .arguments import whole
 from .problem import Scalar
 
 if TYPE_CHECKING:
@@ -25,8 +25,7 @@ def to_latex(solution: Solution, name: str, order: int) -> str:
     >>> fts.solve(fts.CubicOscillator(a=1), order=3).to_latex("omega", order=3)
     '\\omega = 2 \\sqrt{3} - \\frac{\\sqrt{3}}{24} \\lambda^{2} + \\mathcal{O}(\\lambda^{4})'
     """
-    if isinstance(order, bool) or not isinstance(order, int) or not 0 <= order <= solution.order:
-        raise InputError(f"order={order!r}: the solution is known for orders 0 to {solution.order}")
+    order = whole("order", order, most=solution.order)
     unknown = solution._unknown(name)
     scalar = isinstance(unknown, Scalar)
     by_mode: dict[Mode, list[tuple[int, Expr]]] = {}

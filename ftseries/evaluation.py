@@ -15,10 +15,10 @@ import mpmath
 import numpy as np
 
 from .aliases import Array, ArrayLike, Mode, Real
+from .arguments import real
 from .errors import ConvergenceWarning, InputError
-from .trig import finite
 
-__all__ = ["amplitudes", "broadcastable", "finite", "fourier_sum", "radius_estimate",
+__all__ = ["amplitudes", "broadcastable", "fourier_sum", "radius_estimate",
            "warn_outside", "mp_evaluate"]
 
 #: the coefficients of λ^0, λ^1, … by mode: floats, and what gives them in any precision
@@ -117,7 +117,7 @@ def _mpf(x: Any) -> Any:
 
 def broadcastable(**values: Any) -> dict[str, Array]:
     """The values as finite float arrays whose shapes fit together."""
-    arrays = {name: finite(name, value) for name, value in values.items()}
+    arrays = {name: real(name, value) for name, value in values.items()}
     try:
         np.broadcast_shapes(*(array.shape for array in arrays.values()))
     except ValueError:

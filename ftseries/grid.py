@@ -19,8 +19,9 @@ from collections.abc import Iterable
 import numpy as np
 
 from .aliases import Array, Exact, Modes, Multiplier, Number, Parts, Terms
+from .arguments import rational
 from .errors import InputError
-from .trig import Ring, Trig, rational
+from .trig import Ring, Trig
 
 __all__ = ["FloatRing"]
 

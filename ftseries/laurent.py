@@ -29,8 +29,9 @@ from flint import (
 )
 
 from .aliases import Exact, Modes, Multiplier, Number, Part, Parts
+from .arguments import rational
 from .errors import InputError
-from .trig import Ring, rational
+from .trig import Ring
 
 __all__ = ["RationalRing", "PolynomialRing", "SurdRing", "BallRing"]
 

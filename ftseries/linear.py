@@ -19,9 +19,10 @@ from typing import TYPE_CHECKING, Any
 from flint import fmpq
 
 from .aliases import Coefficients, Column, Exact, Modes, Multiplier, Number, Terms, Vector
+from .arguments import rational
 from .errors import ContradictionError, InputError
 from .expansion import Expansion
-from .trig import Ring, rational
+from .trig import Ring
 
 if TYPE_CHECKING:
     from .problem import Problem

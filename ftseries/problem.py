@@ -20,9 +20,9 @@ from typing import Any
 import sympy as sp
 
 from .aliases import Coefficients, Expr, Function, Json, Mode, Modes
+from .arguments import rational
 from .errors import InputError
 from .series import Series
-from .trig import rational
 
 __all__ = ["Field", "Scalar", "Problem", "expression"]
 

@@ -17,6 +17,7 @@ from flint import ctx, fmpq
 from . import analysis, evaluation
 from .aliases import Coefficients, Function, Mode, Modes, Number
 from .analysis import Estimate, Singularity
+from .arguments import scalar, scalars
 from .branch import branch_point
 from .conversion import at
 from .errors import ConvergenceWarning, InputError
@@ -145,7 +146,7 @@ class Quality:
         """
         step = self.sequence(name, n, sine, **parameters)[0]
         z = self.singularities(name, n, sine, **parameters)[0].location
-        values = {key: float(evaluation.finite(key, value)) for key, value in parameters.items()}
+        values = scalars(parameters)
         place = complex(z.real, abs(z.imag)) ** (1 / step)
         inner, outer = (self._complex_amplitudes(part * place, values) for part in (0.97, 0.98))
         slope = {name: {mode: c - inner[name][mode] for mode, c in modes.items()}
@@ -231,8 +232,8 @@ class Quality:
         Derivatives are those of the truncated series, products are not truncated.
         """
         self._check_parameters(parameters)
-        values = {key: float(evaluation.finite(key, value)) for key, value in parameters.items()}
-        lam = float(evaluation.finite("lam", lam))
+        values = scalars(parameters)
+        lam = scalar("lam", lam)
         return residuals(self.problem, self._amplitudes(lam, values),
                          lam / float(self.problem.lam_scale), values)
 
@@ -244,7 +245,7 @@ class Quality:
         a bound.
         """
         radius = float(self.radius_of_convergence(name, **parameters))
-        ratio = abs(float(evaluation.finite("lam", lam))) / radius
+        ratio = abs(scalar("lam", lam)) / radius
         if ratio >= 1:
             return np.inf
         sums = np.abs(np.array(list(self.table(name, **parameters).values()))).sum(axis=0)
@@ -285,8 +286,8 @@ class Quality:
         condition = lam is None
         if condition:
             lam = self.problem.first_lam(self)
-        lam = float(evaluation.finite("lam", lam))
-        values = {key: float(evaluation.finite(key, value)) for key, value in parameters.items()}
+        lam = scalar("lam", lam)
+        values = scalars(parameters)
         first = Orbit(self.problem, lam, {
             name: evaluation.amplitudes(self.table(name, **parameters), lam)
             for name in self.problem.unknowns}, parameters=values)

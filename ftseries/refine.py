@@ -18,11 +18,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .aliases import Array, ArrayLike, Mode, Modes, Real
+from .arguments import scalar
 from .errors import InputError, SolveError
 from .evaluation import fourier_sum
 from .problem import Scalar
 from .sampling import Sampled, Samples
-from .trig import finite
 
 if TYPE_CHECKING:
     from .problem import Problem
@@ -103,7 +103,7 @@ class Orbit:
         old = {name: float(self.problem.scale(name)) for name in self.problem.unknowns}
         guess = {name: {mode: c / old[name] for mode, c in modes.items()}
                  for name, modes in self.coefficients.items()}
-        start = float(finite("lam", self.lam if condition else lam))
+        start = scalar("lam", self.lam if condition else lam)
         found, modes, residual, steps = refine(problem, guess, start / unit, condition,
                                                self.parameters)
         modes = {name: {mode: units[name] * c for mode, c in row.items()}

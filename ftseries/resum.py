@@ -14,9 +14,10 @@ from flint import arb, ctx
 
 from .aliases import ArrayLike, Column, Mode, Real
 from .analysis import Estimate, pade
+from .arguments import real, scalar
 from .conversion import to_ball
 from .errors import InputError
-from .evaluation import finite, fourier_sum
+from .evaluation import fourier_sum
 from .problem import Scalar
 
 if TYPE_CHECKING:
@@ -78,7 +79,7 @@ class Resummed:
 
     def amplitudes(self, name: str, lam: ArrayLike) -> dict[Mode, Real]:
         """``{(sine, n): A_n(λ)}`` in the paper's units."""
-        lam = finite("lam", lam) / float(self.problem.lam_scale)
+        lam = real("lam", lam) / float(self.problem.lam_scale)
         unit = float(self.problem.scale(name))
         return {mode: unit * lam**first * approximant(lam**step)
                 for mode, (step, first, approximant) in self.approximants(name).items()}
@@ -92,10 +93,10 @@ class Resummed:
             return amplitude[0, 0]
         if t is None:
             raise InputError(f"{name!r} depends on time: evaluate({name!r}, t, lam=…)")
-        tau = finite("t", t)
+        tau = real("t", t)
         if self.problem.frequency:
             tau = tau * self.amplitudes(self.problem.frequency, lam)[0, 0]
-        return fourier_sum(amplitude, tau + 0 * finite("lam", lam))
+        return fourier_sum(amplitude, tau + 0 * real("lam", lam))
 
     def error(self, name: str, lam: ArrayLike) -> Real:
         """Σ_n of the uncertainty of A_n(λ): an estimate, not a bound; see :func:`uncertainty`.
@@ -193,7 +194,7 @@ def at_phase(solution: Solution, name: str, tau: float, slope: bool = False) -> 
     if isinstance(solution._unknown(name), Scalar):
         raise InputError(f"{name!r} does not depend on the phase; ask for a field")
     with ctx.workprec(solution.precision or 256):
-        phase, series = arb(float(finite("tau", tau))), []
+        phase, series = arb(scalar("tau", tau)), []
         for m, row in enumerate(solution.coefficients[name]):
             total = arb(0)
             for (sine, n), number in row.items():

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .aliases import ArrayLike, Exact
+from .arguments import rational
 from .errors import InputError
-from .trig import rational
 
 __all__ = ["Samples", "Sampled"]
 

@@ -28,8 +28,8 @@ from typing import TYPE_CHECKING, TypeAlias
 from flint import fmpq
 
 from .aliases import Exact, Function, Multiplier, Number, Term
+from .arguments import rational
 from .errors import InputError
-from .trig import rational
 
 if TYPE_CHECKING:
     from .expansion import Expansion

@@ -10,7 +10,6 @@ Zero coefficients are left out; a scalar keeps its number under (0, 0).
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Callable, Mapping
 from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -22,11 +21,11 @@ from flint import arb, ctx, fmpq
 
 from . import display, evaluation, storage
 from .aliases import Array, ArrayLike, Coefficients, FilePath, Mode, Number, Real
+from .arguments import rational, scalars, whole
 from .conversion import at, to_ball, to_float, to_mpf, to_sympy
 from .errors import InputError
 from .problem import Field, Scalar
 from .quality import Quality
-from .trig import rational
 
 if TYPE_CHECKING:
     from .problem import Problem
@@ -96,7 +95,7 @@ class Solution(Quality):
         if len(orders) != (1 if scalar else 2):
             raise InputError(f"{name!r} takes {'its Taylor order m' if scalar else 'n and m'}: "
                              f"coefficient({name!r}, {'m' if scalar else 'n, m'}), not {orders!r}")
-        n, m = [0, *map(self._order, orders)][-2:]
+        n, m = [0, *(whole("order", order) for order in orders)][-2:]
         if m > self.order:
             raise InputError(f"{name!r} is known to order {self.order}, not to {m}; solve again "
                              f"with order={m}")
@@ -159,7 +158,7 @@ class Solution(Quality):
 
     def truncate(self, order: int) -> Solution:
         """The same solution cut at a lower Taylor order."""
-        order = self._order(order)
+        order = whole("order", order)
         if order > self.order:
             raise InputError(f"cannot cut at order {order}: the solution ends at {self.order}")
         return Solution(self.problem, self.arithmetic, order,
@@ -181,7 +180,7 @@ class Solution(Quality):
         """``{(sine, n): [A_{n,0}, A_{n,1}, …]}`` as floats in the paper's units."""
         self._unknown(name)
         self._check_parameters(parameters)
-        values = tuple((k, float(evaluation.finite(k, v))) for k, v in parameters.items())
+        values = tuple(scalars(parameters).items())
         return {mode: list(row) for mode, row in self._table(name, values).items()}
 
     def _unknown(self, name: str) -> Field | Scalar:
@@ -190,16 +189,6 @@ class Solution(Quality):
         except (KeyError, TypeError):
             raise InputError(f"{name!r} is not an unknown of {self.problem!r}; it has "
                              f"{', '.join(map(repr, self.problem.unknowns))}") from None
-
-    @staticmethod
-    def _order(order: int) -> int:
-        try:
-            number = operator.index(order)
-        except TypeError:
-            number = -1
-        if number < 0 or isinstance(order, bool):
-            raise InputError(f"order {order!r}: give a whole number of at least 0")
-        return number
 
     def _check_parameters(self, parameters: Mapping[str, Any]) -> None:
         wanted = set(self.problem.parameters)
@@ -263,8 +252,7 @@ class Solution(Quality):
 
     def _evaluate_mp(self, name: str, t: Any, lam: Any, dps: int,
                      parameters: Mapping[str, Any]) -> Any:
-        if isinstance(dps, bool) or not isinstance(dps, int) or dps < 1:
-            raise InputError(f"dps={dps!r}: give the number of decimal digits, at least 1")
+        dps = whole("dps", dps, 1)
         if any(np.ndim(value) for value in parameters.values()):
             raise InputError(f"with dps, give one value of {', '.join(parameters)} at a time")
         floats = tuple((k, float(v)) for k, v in parameters.items())

@@ -8,14 +8,14 @@ there.  :mod:`ftseries.stages` compares the coefficients.
 from __future__ import annotations
 
 import math
-import operator
 import os
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from flint import ctx, fmpq
 from tqdm import tqdm
 
 from .aliases import Coefficients, Number
+from .arguments import whole
 from .errors import InputError, SolveError
 from .grid import FloatRing
 from .laurent import BallRing, PolynomialRing, RationalRing, SurdRing
@@ -75,10 +75,10 @@ def solve(problem: Problem, order: int, arithmetic: str = "exact", precision: in
     """
     if not isinstance(problem, Problem):
         raise InputError(f"{problem!r} is not a problem; give one such as CubicOscillator(a=1)")
-    order = _whole("order", order, 0)
+    order = whole("order", order)
     if arithmetic not in ("exact", "float", "ball"):
         raise InputError(f"arithmetic={arithmetic!r}: choose 'exact', 'float' or 'ball'")
-    precision = _whole("precision", precision, 2)
+    precision = whole("precision", precision, 2)
     if problem.parameters and arithmetic != "exact":
         raise InputError(f"{', '.join(problem.parameters)} is a free parameter, which only "
                          "arithmetic='exact' can carry; give it a value in "
@@ -137,17 +137,6 @@ def _without_surd(known: Coefficients, problem: Problem) -> Coefficients:
 def _converted(known: Coefficients, ring: Ring) -> Coefficients:
     return {name: [{mode: ring.number(c) for mode, c in row.items()} for row in rows]
             for name, rows in known.items()}
-
-
-def _whole(name: str, value: Any, least: int) -> int:
-    try:
-        number = operator.index(value)
-    except TypeError:
-        raise InputError(f"{name}={value!r} is not a whole number; give an int of at least "
-                         f"{least}") from None
-    if isinstance(value, bool) or number < least:
-        raise InputError(f"{name}={value!r}: give a whole number of at least {least}")
-    return number
 
 
 def _check_memory(problem: Problem, order: int, arithmetic: str, precision: int) -> None:

@@ -18,10 +18,10 @@ from flint import arb, fmpq, fmpq_mpoly
 
 from . import jsonfile
 from .aliases import Coefficients, FilePath, Json, Number
+from .arguments import rational
 from .errors import FileError, InputError
 from .laurent import PolynomialRing
 from .problem import Problem
-from .trig import rational
 
 if TYPE_CHECKING:
     from .solution import Solution

@@ -14,6 +14,7 @@ from typing import Any
 import sympy as sp
 
 from .aliases import Expr, Function, Json, Mode
+from .arguments import whole
 from .errors import InputError, NonAnalyticError
 from .expansion import Expansion
 from .first_steps import first_steps
@@ -84,7 +85,7 @@ class Equations(Problem):
             if isinstance(parameters, dict) else {name_of(key): None for key in parameters}
         self.parameters = tuple(name for name, value in values.items() if value is None)
         self.frequency = None if frequency is None else name_of(frequency)
-        self.variable, self.ahead = name_of(time), _ahead(ahead)
+        self.variable, self.ahead = name_of(time), whole("ahead", ahead)
         self.check()
         fields = [name for name, u in self.unknowns.items() if isinstance(u, Field)]
         self.language = Language(
@@ -276,9 +277,3 @@ def _value(name: str, value: Any) -> Expr:
         raise InputError(f"the parameter {name} has the value {value!r}, which is not a rational "
                          "number; give an int, a Fraction or a float")
     return number
-
-
-def _ahead(ahead: Any) -> int:
-    if isinstance(ahead, bool) or not isinstance(ahead, int) or ahead < 0:
-        raise InputError(f"ahead={ahead!r}: give a whole number of at least 0")
-    return ahead

@@ -25,9 +25,9 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from .aliases import Expr, Function
+from .arguments import rational
 from .errors import InputError
 from .problem import Field, Scalar
-from .trig import rational
 
 if TYPE_CHECKING:
     from .problem import Problem

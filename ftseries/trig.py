@@ -24,47 +24,11 @@ numbers and balls (:mod:`ftseries.laurent`), values on a grid for floats (:mod:`
 
 from __future__ import annotations
 
-from fractions import Fraction
-from typing import Any
-
-import numpy as np
-from flint import fmpq
-from mpmath import isfinite
-from mpmath.libmp import to_rational
-
-from .aliases import Array, Exact, Modes, Multiplier, Number, Part, Parts, Term, Terms
+from .aliases import Exact, Modes, Multiplier, Number, Part, Parts, Term, Terms
+from .arguments import rational
 from .errors import InputError, NonAnalyticError
 
-__all__ = ["Trig", "Ring", "Table", "finite", "rational"]
-
-
-def rational(x: Exact) -> fmpq:
-    """``x`` as an exact ``fmpq``: int, Fraction, decimal, SymPy rational, or float bit by bit.
-
-    >>> rational("0.1"), rational(0.5)
-    (1/10, 1/2)
-    """
-    if isinstance(x, fmpq):
-        return x
-    if hasattr(x, "_mpf_"):                                        # mpmath or a SymPy Float
-        x = Fraction(*to_rational(x._mpf_)) if isfinite(x) else float(x)
-    try:
-        f = Fraction(x)
-    except (TypeError, ValueError, ArithmeticError):
-        raise InputError(f"{x!r} is not a rational number; give an int, a Fraction, a decimal "
-                         "string or a SymPy Rational") from None
-    return fmpq(int(f.numerator), int(f.denominator))
-
-
-def finite(name: str, value: Any) -> Array:
-    """``value`` as a float array, all finite."""
-    try:
-        array = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(f"{name}={value!r} is not a real number or an array of them") from None
-    if not np.isfinite(array).all():
-        raise InputError(f"{name} contains a value that is NaN or infinite; give finite numbers")
-    return array
+__all__ = ["Trig", "Ring", "Table"]
 
 
 class Trig:

@@ -45,7 +45,7 @@ def test_derivatives(f, times):
 
 @given(modes, st.fractions(-1, 1, max_denominator=6))
 def test_shift(f, fraction):
-    from ftseries.trig import rational
+    from ftseries.arguments import rational
     found = build(GRID, f).shift(rational(fraction)).values
     assert np.abs(found - values(f, GRID.tau + 2 * np.pi * float(fraction))).max() < 1e-12
 

@@ -3,9 +3,7 @@
 from fractions import Fraction
 
 import flint
-import mpmath
 import pytest
-import sympy as sp
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
@@ -13,35 +11,12 @@ from hypothesis import strategies as st
 from ftseries.errors import InputError, NonAnalyticError
 from ftseries.grid import FloatRing
 from ftseries.laurent import BallRing, PolynomialRing, RationalRing
-from ftseries.trig import Ring, Table, Trig, finite, rational
+from ftseries.trig import Ring, Table, Trig
 
 MODES = [(0, 0), (0, 1), (0, 2), (0, 3), (1, 1), (1, 2), (1, 3)]
 RINGS = [RationalRing(), PolynomialRing(("mu", "nu")), BallRing(), FloatRing(degree=12)]
 ring_of_each_kind = pytest.mark.parametrize("ring", RINGS, ids=["exact", "polynomial", "ball",
                                                                 "float"])
-
-
-@pytest.mark.parametrize("value, expected", [
-    (3, (3, 1)), ("0.1", (1, 10)), ("-7/3", (-7, 3)), (0.5, (1, 2)), (Fraction(2, 6), (1, 3)),
-    (sp.Rational(-4, 6), (-2, 3)), (sp.Integer(5), (5, 1)), (fmpq(3, 4), (3, 4)), (True, (1, 1)),
-    (mpmath.mpf("0.375"), (3, 8)), (sp.Float("0.125"), (1, 8)), (0.1, (0.1).as_integer_ratio()),
-])
-def test_rational_numbers_of_every_kind(value, expected):
-    number = rational(value)
-    assert (int(number.p), int(number.q)) == expected
-
-
-@pytest.mark.parametrize("value", ["x", None, 1j, [1], sp.sqrt(2), sp.Symbol("a"), float("nan"),
-                                   float("inf"), mpmath.inf, mpmath.nan, "1/0", sp.oo, sp.nan])
-def test_what_is_not_rational(value):
-    with pytest.raises(InputError, match="is not a rational number"):
-        rational(value)
-
-
-@pytest.mark.parametrize("value", ["x", None, 1j, [float("nan")], [1, float("inf")], [[1], [1, 2]]])
-def test_what_is_not_finite(value):
-    with pytest.raises(InputError, match="z"):
-        finite("z", value)
 
 
 @ring_of_each_kind
@@ -172,17 +147,6 @@ def test_multiplying_modes_by_i_is_the_derivative_of_each_kind():
 def test_the_base_ring_is_exact_by_default():
     assert Ring.exact and Ring.names == () and not FloatRing.exact
     assert isinstance(RationalRing().from_modes({}), Trig)
-
-
-def test_a_long_mantissa_is_kept():
-    with mpmath.workprec(200):
-        third = rational(mpmath.mpf(1) / 3)
-    assert 0 < abs(third - fmpq(1, 3)) < fmpq(1, 2**199)
-    assert rational(sp.Float("0.1", 40)) != rational(0.1)
-
-
-def test_finite_gives_the_values():
-    assert finite("t", [1, 2.5]).tolist() == [1.0, 2.5]
 
 
 def test_parts_that_meet_are_added():

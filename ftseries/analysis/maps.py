@@ -15,8 +15,8 @@ from typing import Any, TypeAlias
 from flint import arb, arb_series, ctx, fmpq, fmpq_series
 
 from ..aliases import Exact, Number
+from ..arguments import rational
 from ..errors import InputError
-from ..trig import rational
 
 __all__ = ["compose", "euler_map", "revert"]
 

@@ -27,13 +27,13 @@ from typing import TYPE_CHECKING, Any
 
 from flint import arb, ctx
 
-from ..errors import FTSeriesError
+from ..errors import FTSeriesError, InputError
 from ..laurent import BallRing
 
 if TYPE_CHECKING:
     from ..trig import Trig
 
-__all__ = ["Enclosure", "NotProved", "at_least", "at_most", "decimal", "largest_of",
+__all__ = ["Enclosure", "NotProved", "at_least", "at_most", "decimal", "given", "largest_of",
            "negative_power", "norm", "power_of_ten", "truncate", "upper"]
 
 RING = BallRing()
@@ -41,6 +41,18 @@ RING = BallRing()
 
 class NotProved(FTSeriesError):
     """The inequalities of a proof do not hold for these data; nothing is claimed."""
+
+
+def given(name: str, value: Any) -> arb:
+    """A ball that contains a number, taken by its decimals: "0.1" is a tenth.
+
+    >>> given("nu", "1.02").str(5, radius=False)
+    '1.0200'
+    """
+    try:
+        return arb(str(value))
+    except ValueError:
+        raise InputError(f"{name}={value!r} is not a number") from None
 
 
 def upper(x: arb | int) -> arb:

@@ -3,7 +3,7 @@ r"""Check the certificate of a figure eight, with none of the code that found it
 Formula.  The guesses in the file (ū, v ≈ W^{-1/2} and the matrix a) are only read; all bounds are
 computed here.  A cosine series Σ c_n cos nt is the Laurent polynomial Σ a_n z^n with a_0 = c_0 and
 a_{±n} = c_n/2, kept as a FLINT polynomial of z² shifted by its degree; its norm is Σ |a_n| ν^{|n|}.
-The inequalities are those of :mod:`ftseries.certify.eight` and
+The inequalities are those of :mod:`ftseries.certify.eight_bounds` and
 :mod:`ftseries.certify.newton_kantorovich`.
 """
 

@@ -26,10 +26,11 @@ import numpy as np
 from flint import arb, ctx
 
 from ..aliases import Array, ComplexArray, Exact, FilePath
+from ..arguments import whole
 from ..errors import InputError
 from ..problems.figure_eight import is_gravitational
 from . import certificate
-from .algebra import NotProved, at_least, at_most, upper
+from .algebra import NotProved, at_least, at_most, given, upper
 from .convergence_bounds import GUESS, INVERSE, Matrix, Rows, block, prove
 from .eight import EightTheorem
 from .fourier_taylor import Integers, Space
@@ -183,15 +184,10 @@ def prove_convergence(series: Any, lam: Exact = "2.08", modes: int = 40,
     """
     if not is_gravitational(series) or not hasattr(series, "table"):
         raise InputError(f"{series!r} is not a series of the figure eight")
-    if not isinstance(modes, int) or modes < 4:
-        raise InputError(f"modes={modes!r}: give an integer of at least 4")
-    if orders is not None and not (isinstance(orders, int) and orders > 0):
-        raise InputError(f"orders={orders!r}: give an integer of at least 1, or leave it out")
+    modes = whole("modes", modes, 4)
+    orders = orders if orders is None else whole("orders", orders, 1)
     with ctx.workprec(PRECISION):
-        try:
-            kappa = arb(str(lam))
-        except ValueError:
-            raise InputError(f"lam={lam!r} is not a number") from None
+        kappa = given("lam", lam)
         if not (kappa > 0 and kappa < 10):
             raise InputError(f"lam={lam}: the radius of the disc must be above 0 (and below 10)")
         space = Space(2 * modes, orders or series.order // 2 + 1)

@@ -25,10 +25,10 @@ import numpy as np
 from flint import arb, arb_mat, ctx, fmpq
 
 from ..aliases import Exact, FilePath
+from ..arguments import rational
 from ..errors import InputError
 from ..problems.cubic import CubicOscillator
 from ..solver import solve
-from ..trig import rational
 from . import certificate
 from .algebra import NotProved, at_most, largest_of, upper
 from .newton_kantorovich import Bounds, radius

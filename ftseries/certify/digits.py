@@ -31,20 +31,21 @@ import os
 from base64 import b64decode, b64encode
 from collections.abc import Callable
 from dataclasses import dataclass
-from numbers import Integral
 from pathlib import Path
 from typing import Any
 
 from flint import acb, arb, arb_mat, ctx, fmpz
 
 from ..aliases import FilePath, Json
-from ..errors import FileError, InputError
+from ..arguments import whole
+from ..errors import FileError
 from ..problems.figure_eight import FigureEight
 from ..solver import solve
 from . import certificate
 from .algebra import RING, NotProved, at_most, decimal, power_of_ten, upper
 from .consequences import ROOM, lambda_zero
-from .eight import EightTheorem, inverse_norm, prove_eight, residual_bound, waves
+from .eight import EightTheorem, prove_eight, waves
+from .eight_bounds import inverse_norm, residual_bound
 from .lifting import Pass, lift
 
 __all__ = ["EightDigits", "certified", "digits", "load_digits", "thousand_digits"]
@@ -199,12 +200,11 @@ def digits(n: int) -> EightDigits:
     >>> eight.lam.rad() < 1e-38
     True
     """
-    if not isinstance(n, Integral) or isinstance(n, bool) or not 1 <= n <= LARGEST:
-        raise InputError(f"digits({n!r}): give a whole number of digits from 1 to {LARGEST}")
+    n = whole("n", n, 1, LARGEST)
     theorem = prove_eight(solve(FigureEight(), order=6).refine(), **PROOF)
     for guard in (GUARD, 2 * GUARD, 4 * GUARD):         # a longer run of nines needs more
-        *_, last = lift(theorem.center, theorem.inverse, max(64, int((int(n) + guard) * 3.33)))
-        found = certified(theorem, last, int(n))
+        *_, last = lift(theorem.center, theorem.inverse, max(64, int((n + guard) * 3.33)))
+        found = certified(theorem, last, n)
         try:
             found.decimals()
         except NotProved:

@@ -10,34 +10,33 @@ The unknown u_n is the coefficient of cos nt in X (n even) or Y (n odd), with th
 
 .. math::  M_{ij} = δ_{ij} G - 3 W^{-5/2} Z_i Z_j ,
 
-and A is a float inverse of the block n ≤ N, and 1/n² beyond.  With s = ‖W^{-1/2}‖ and z = ‖Z‖ over
-the whole ball of radius r*, the second derivative of Z ↦ Z G is at most 9 s⁵ z + 15 s⁷ z³.
+and A is a float inverse of the block n ≤ N, and 1/n² beyond.  The bounds of the proof are in
+:mod:`ftseries.certify.eight_bounds`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from flint import acb, arb, arb_mat, ctx
 
 from ..aliases import FilePath, Json
+from ..arguments import whole
 from ..errors import InputError
 from ..problems.figure_eight import closure_zero, is_gravitational
 from . import certificate
-from .algebra import RING, Enclosure, at_least, at_most, largest_of, upper
+from .algebra import RING, Enclosure, at_least, at_most, given, largest_of, upper
 from .consequences import distance_from, initial_values, lambda_zero
+from .eight_bounds import entries, inverse_norm, residual_bound, z1_bound, z2_bound
 from .newton_kantorovich import Bounds, radius
 
 if TYPE_CHECKING:
     from ..trig import Trig
 
-__all__ = ["EightTheorem", "inverse_norm", "prove_eight", "residual_bound", "waves"]
-
-#: the operators M_ij
-Blocks: TypeAlias = dict[tuple[int, int], Enclosure]
+__all__ = ["EightTheorem", "prove_eight", "waves"]
 
 
 @dataclass(frozen=True)
@@ -140,13 +139,9 @@ def prove_eight(orbit: Any, lam: float | None = None, modes: int = 100, nu: Any 
     """
     if not is_gravitational(orbit):
         raise InputError(f"{orbit!r} is not a figure eight under gravitation")
-    if not isinstance(modes, int) or modes < 4:
-        raise InputError(f"modes={modes!r}: give an integer of at least 4")
+    modes = whole("modes", modes, 4)
     with ctx.workprec(precision):
-        try:
-            weight = arb(str(nu))
-        except ValueError:
-            raise InputError(f"nu={nu!r} is not a number; give one above 1") from None
+        weight = given("nu", nu)
         if not weight > 1:
             raise InputError(f"nu={nu}: the weight must be above 1")
         own = getattr(orbit, "lam", lam)
@@ -193,7 +188,7 @@ def _prove(u: Mapping[int, Any], modes: int, nu: arb) -> dict[str, Any]:
          for i in (0, 1) for j in (0, 1)}
     rest = largest_of(m[i, 0].radius + m[i, 1].radius for i in (0, 1)) * 2
     index = [n for n in range(1, modes + 1) if n % 3]
-    entry = _entries(m)
+    entry = entries(m)
     block = arb_mat([[(n * n if n == k else 0) - entry(n, k) for k in index] for n in index])
     floats = np.array([[float(block[i, j].mid()) for j in range(len(index))]
                        for i in range(len(index))])
@@ -202,9 +197,9 @@ def _prove(u: Mapping[int, Any], modes: int, nu: arb) -> dict[str, Any]:
     weight = {n: nu**n for n in range(1, modes + 2 * top + 2)}
     norm_a = inverse_norm(a, index, modes, weight)
     y_bound = residual_bound(u, x, y, g, a, index, modes, weight, norm_a)
-    z1 = _z1(a, block, entry, m, index, modes, top, weight, norm_a * rest)
+    z1 = z1_bound(a, block, entry, m, index, modes, top, weight, norm_a * rest)
     largest = arb(2) ** -20
-    z2 = _z2(w, v, x, y, norm_a, largest)
+    z2 = z2_bound(w, v, x, y, norm_a, largest)
     bounds = Bounds(y_bound, z1, z2, largest)
     low, high = radius(bounds)
     return {"radius": low, "uniqueness": high, "bounds": bounds, "v": v,
@@ -226,87 +221,3 @@ def _inverse_root(u: Mapping[int, Any], modes: int, w: Enclosure, top: int) -> T
         modes_of_v = {mode: c.mid() / 2 for mode, c in v.modes().items() if mode[1] <= top}
         v = RING.from_modes(modes_of_v)
     return v
-
-
-def _entries(m: Blocks) -> Callable[[int, int], arb]:
-    """(n, k) ↦ the coefficient of cos nt in M cos kt."""
-    modes = {key: e.center.modes() for key, e in m.items()}
-
-    def entry(n: int, k: int) -> arb:
-        series = modes[n % 2, k % 2]
-        low, high = abs(n - k), n + k
-        total: arb = series.get((0, high), arb(0))
-        total += series.get((0, low), arb(0)) * (2 if low == 0 else 1)
-        return total / 2
-    return entry
-
-
-def inverse_norm(a: arb_mat, index: list[int], modes: int, weight: dict[int, arb]) -> arb:
-    """‖A‖: the largest column of the block, or 1/(N + 1)²."""
-    worst = arb(1) / (modes + 1) ** 2
-    for j, k in enumerate(index):
-        total = arb(0)
-        for i, n in enumerate(index):
-            total += upper(a[i, j]) * weight[n]
-        worst = largest_of((worst, total / weight[k]))
-    return worst
-
-
-def residual_bound(u: Mapping[int, Any], x: Enclosure, y: Enclosure, g: Enclosure, a: arb_mat,
-                   index: list[int], modes: int, weight: dict[int, arb], norm_a: arb) -> arb:
-    """Y: a bound of ‖A F(u)‖; ``u`` may have more modes than the block."""
-    product = {0: x * g, 1: y * g}
-    values = {}
-    for i in (0, 1):
-        for (_, n), c in product[i].center.modes().items():
-            if n % 3:
-                values[n] = -c
-    for n, c in u.items():
-        values[n] = values.get(n, arb(0)) + n * n * arb(c)
-    inside = a * arb_mat([[values.get(n, arb(0))] for n in index])
-    total = arb(0)
-    for i, n in enumerate(index):
-        total += upper(inside[i, 0]) * weight[n]
-    for n, c in values.items():
-        if n > modes:
-            total += upper(c) / n**2 * weight[n]
-    return upper(total + norm_a * (product[0].radius + product[1].radius))
-
-
-def _z1(a: arb_mat, block: arb_mat, entry: Callable[[int, int], arb], m: Blocks, index: list[int],
-        modes: int, top: int, weight: dict[int, arb], rest: arb) -> arb:
-    size = len(index)
-    unit = arb_mat(size, size, [int(i == j) for i in range(size) for j in range(size)])
-    inside = unit - a * block
-    worst = arb(0)
-    # the columns of the block: the error of the inverse, and what M sends beyond the block
-    for j, k in enumerate(index):
-        total = arb(0)
-        for i, n in enumerate(index):
-            total += upper(inside[i, j]) * weight[n]
-        for n in range(modes + 1, modes + top + 1):
-            if n % 3:
-                total += upper(entry(n, k)) / n**2 * weight[n]
-        worst = largest_of((worst, total / weight[k]))
-    # the next columns: what M sends into the block and beyond
-    beyond = [k for k in range(modes + 1, modes + top + 1) if k % 3]
-    coupling = a * arb_mat([[entry(n, k) for k in beyond] for n in index])
-    for j, k in enumerate(beyond):
-        total = arb(0)
-        for i, n in enumerate(index):
-            total += upper(coupling[i, j]) * weight[n]
-        for n in range(modes + 1, k + top + 1):
-            if n % 3 and n <= modes + 2 * top:
-                total += upper(entry(n, k)) / n**2 * weight[n]
-        worst = largest_of((worst, total / weight[k]))
-    # all others: they stay beyond the block
-    far = largest_of(m[0, j].norm() + m[1, j].norm() for j in (0, 1)) / (modes + 1) ** 2
-    return upper(largest_of((worst, far)) + rest)
-
-
-def _z2(w: Enclosure, v: Trig, x: Enclosure, y: Enclosure, norm_a: arb, largest: arb) -> arb:
-    """Bound of the second derivative over the ball of radius ``largest``."""
-    size = upper(x.norm() + y.norm() + largest)
-    wide = Enclosure(w.center, w.radius + 2 * size * largest + largest**2, w.nu)
-    s = wide.negative_power(1, v).norm()
-    return upper(norm_a * (9 * s**5 * size + 15 * s**7 * size**3))

@@ -27,9 +27,9 @@ import numpy as np
 from flint import arb, arb_mat, ctx, fmpq
 
 from ..aliases import Array, Exact, FilePath
+from ..arguments import rational, whole
 from ..errors import InputError
 from ..problems.mathieu import GeneralizedMathieu
-from ..trig import rational
 from . import certificate
 from .algebra import NotProved, at_least, upper
 
@@ -132,8 +132,7 @@ def mathieu_eigenvalue(lam: Exact, mu: Exact = 0, digits: int = 30) -> Eigenvalu
     lam, mu = rational(lam), rational(mu)
     if not max(abs(lam), abs(mu)) < 10**12:
         raise InputError(f"lam={lam}, mu={mu}: both must be below 10^12 in size")
-    if not isinstance(digits, int) or not 1 <= digits <= 1000:
-        raise InputError(f"digits={digits!r}: give an integer from 1 to 1000")
+    digits = whole("digits", digits, 1, 1000)
     size, precision = 16, int(3.33 * digits) + 96
     with ctx.workprec(precision):
         while True:

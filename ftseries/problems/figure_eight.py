@@ -24,10 +24,10 @@ from scipy.optimize import brentq
 from scipy.special import ellipk
 
 from ..aliases import ArrayLike, Exact, Expr, Function, Json, Real
+from ..arguments import real
 from ..errors import ConvergenceWarning, FTSeriesError, InputError
 from ..problem import Field, Problem, expression
 from ..series import cos, sin
-from ..trig import finite
 
 __all__ = ["FigureEight", "LemniscateEight", "PlanarEight", "relative", "positions", "closure",
            "closure_zero"]
@@ -182,7 +182,7 @@ def relative(sol: Any, t: ArrayLike, lam: ArrayLike) -> Any:
     """
     if not isinstance(getattr(sol, "problem", None), FigureEight):
         raise InputError(f"{sol!r} is not a figure eight; solve FigureEight() first")
-    times = finite("t", t)[..., *(None,) * np.ndim(lam)]
+    times = real("t", t)[..., *(None,) * np.ndim(lam)]
     times = np.stack([times, times - 2 * np.pi / 3, times + 2 * np.pi / 3])
     return sol.problem.vector(sol, times, lam)
 
@@ -241,7 +241,7 @@ def closure_zero(sol: Any, search: tuple[float, float] = (0.0, 4.0)) -> float:
     """
     if np.shape(search) != (2,):
         raise InputError(f"search={search!r}: give the two ends of an interval of λ")
-    low, high = finite("search", search)
+    low, high = real("search", search)
     lam = np.linspace(low, high, 801)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ConvergenceWarning)       # the search goes past the zero

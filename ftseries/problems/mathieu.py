@@ -18,9 +18,9 @@ from typing import Any
 import sympy as sp
 
 from ..aliases import Function, Json
+from ..arguments import rational
 from ..errors import InputError
 from ..problem import Field, Problem, Scalar
-from ..trig import rational
 
 __all__ = ["GeneralizedMathieu"]
 

@@ -32,8 +32,9 @@ import numpy as np
 from scipy import integrate, special
 
 from ftseries.aliases import Array
+from ftseries.arguments import real, whole
 from ftseries.errors import InputError
-from ftseries.references._input import in_digits, number, order, real
+from ftseries.references._digits import in_digits, number
 
 __all__ = [
     "elliptic_parameter", "energy", "fourier_coefficient", "frequency", "invariants", "period",
@@ -150,7 +151,7 @@ def fourier_coefficient(n: int, lam: Any, a: Any = 1, dps: int | None = None) ->
     >>> mpmath.nstr(fourier_coefficient(1, "0.5", dps=20), 20)
     '0.4993381024431779361'
     """
-    n = order("n", n)
+    n = whole("n", n)
     if dps is not None:
         return in_digits(dps, lambda: _fourier_coefficient(n, *_numbers(lam, a)))
     lam, a = _reals(lam, a)

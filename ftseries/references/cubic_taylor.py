@@ -23,8 +23,8 @@ import sympy
 from flint import fmpq, fmpq_series
 
 from ftseries.aliases import Exact, Expr
+from ftseries.arguments import whole
 from ftseries.errors import InputError
-from ftseries.references._input import order as checked
 
 __all__ = ["fourier_taylor", "frequency_squared_taylor", "frequency_taylor"]
 
@@ -36,7 +36,7 @@ def frequency_taylor(order: int, a: Exact = 1) -> list[Expr]:
     [2*sqrt(3), 0, -sqrt(3)/24]
     """
     a = _positive(a)
-    with _closed_forms(checked("order", order)) as (omega2, _, _):
+    with _closed_forms(whole("order", order)) as (omega2, _, _):
         root = _rationals((omega2 / 12).sqrt(), order)
     return [2 * sympy.sqrt(3 * a) * c / a**m for m, c in enumerate(root)]
 
@@ -48,7 +48,7 @@ def frequency_squared_taylor(order: int, a: Exact = 1) -> list[Expr]:
     [12, 0, -1/2, 0, -17/1152]
     """
     a = _positive(a)
-    with _closed_forms(checked("order", order)) as (omega2, _, _):
+    with _closed_forms(whole("order", order)) as (omega2, _, _):
         return [c * a ** (1 - m) for m, c in enumerate(_rationals(omega2, order))]
 
 
@@ -58,8 +58,8 @@ def fourier_taylor(n: int, order: int, a: Exact = 1) -> list[Expr]:
     >>> fourier_taylor(1, 3)
     [0, 1, 0, -1/192]
     """
-    n, a = checked("n", n), _positive(a)
-    with _closed_forms(checked("order", order)) as (omega2, mean, q):
+    n, a = whole("n", n), _positive(a)
+    with _closed_forms(whole("order", order)) as (omega2, mean, q):
         closed = mean if n == 0 else -2 * n * omega2 * (-q) ** n / (1 - q ** (2 * n))
         return [c * a ** (1 - m) for m, c in enumerate(_rationals(closed, order))]
 

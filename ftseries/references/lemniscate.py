@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from scipy.special import ellipj, ellipk
 
-from ftseries.references._input import real
+from ftseries.arguments import real
 
 __all__ = ["MODULUS", "PERIOD", "attraction", "bodies", "lam"]
 

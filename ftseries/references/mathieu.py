@@ -28,9 +28,9 @@ from scipy import special
 from scipy.integrate import solve_ivp
 
 from ftseries.aliases import ArrayLike
+from ftseries.arguments import real, whole
 from ftseries.errors import InputError
-from ftseries.references import _input
-from ftseries.references._input import in_digits, number, real
+from ftseries.references._digits import GUARD, in_digits, number
 
 __all__ = [
     "eigenfunction", "eigenvalue", "hill_matrix", "integrate", "mathieu_b", "sine_coefficients",
@@ -59,7 +59,7 @@ def eigenvalue(lam: Any, mu: Any = 0, index: int = 0, dps: int | None = None) ->
     >>> mpmath.nstr(eigenvalue(2, "-0.3", dps=30), 30)
     '-2.99598182880538532934260736841'
     """
-    index = _input.order("index", index)
+    index = whole("index", index)
     if dps is None:
         return _eigenpair(lam, mu, index)[0]
     return in_digits(dps, lambda: _eigenpair_in_digits(lam, mu, index)[0])
@@ -70,7 +70,7 @@ def sine_coefficients(lam: Any, mu: Any = 0, index: int = 0, dps: int | None = N
 
     For index 0 this is c_1 = λ, as in (M2a). With `dps`: a tuple of mpmath numbers.
     """
-    index = _input.order("index", index)
+    index = whole("index", index)
     if dps is None:
         vector = _eigenpair(lam, mu, index)[1]
         return np.asarray(lam)[..., None] * vector / _leading(vector[..., index : index + 1])
@@ -89,13 +89,13 @@ def eigenfunction(x: Any, lam: Any, mu: Any = 0, index: int = 0, derivative: int
     """
     c = sine_coefficients(lam, mu, index)
     n = 1 + 2 * np.arange(c.shape[-1])
-    phase = real("x", x)[..., None] * n + _input.order("derivative", derivative) * np.pi / 2
+    phase = real("x", x)[..., None] * n + whole("derivative", derivative) * np.pi / 2
     return np.sum(c * n**float(derivative) * np.sin(phase), axis=-1)
 
 
 def mathieu_b(lam: Any, index: int = 0) -> Any:
     """The eigenvalue at μ = 0 by SciPy: b_{2 index + 1}(λ²/2), for real λ."""
-    return special.mathieu_b(2 * _input.order("index", index) + 1, real("lam", lam) ** 2 / 2)
+    return special.mathieu_b(2 * whole("index", index) + 1, real("lam", lam) ** 2 / 2)
 
 
 def integrate(x: Any, a: Any, lam: Any, mu: Any = 0, start: ArrayLike = (0, 1)) -> Any:
@@ -179,12 +179,12 @@ def _eigenpair_in_digits(lam: Any, mu: Any, index: int) -> Any:
     squares, first, second = map(mpmath.matrix, _parts(size))
     matrix = squares + lam**2 / 2 * first + lam**4 * mu / 2 * second
     vector = mpmath.matrix(list(_eigenpair(*rough)[1]) + [0] * size)[:size]
-    with mpmath.extradps(_input.GUARD):
+    with mpmath.extradps(GUARD):
         for _ in range(20):
             vector /= mpmath.norm(vector)
             image = matrix * vector
             a = (vector.T * image)[0] / (vector.T * vector)[0]
-            if mpmath.norm(image - a * vector) < mpmath.mpf(10) ** (_input.GUARD - mpmath.mp.dps):
+            if mpmath.norm(image - a * vector) < mpmath.mpf(10) ** (GUARD - mpmath.mp.dps):
                 return a, vector
             vector = mpmath.lu_solve(matrix - a * mpmath.eye(size), vector)
     raise ArithmeticError("Rayleigh's quotient iteration did not converge")

@@ -27,8 +27,8 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from ftseries.references import _input
-from ftseries.references._input import GUARD, real
+from ftseries.arguments import real, whole
+from ftseries.references._digits import GUARD, number
 from ftseries.references.three_bodies import (
     angular_momentum,
     energy,
@@ -92,7 +92,7 @@ def figure_eight(t: Any, derivative: int = 0, dps: int | None = None) -> Any:
     >>> abs(figure_eight(np.pi / 6)).round(4)  # body 1 at the end of the eight, 2 and 3 alike
     array([1.0761, 0.6385, 0.6385])
     """
-    derivative, c = _input.order("derivative", derivative), _coefficients(dps)
+    derivative, c = whole("derivative", derivative), _coefficients(dps)
     with _precision(dps):
         pi, sin, _, _, times = _arithmetic(dps)
         shifts = np.array([-1, 1, 0]) * (2 * pi / 3)
@@ -181,9 +181,9 @@ def _arithmetic(dps: int | None) -> _Arithmetic:
     if dps is None:
         return _FLOAT
     sin, cos, arg = (np.frompyfunc(f, 1, 1) for f in (mpmath.sin, mpmath.cos, mpmath.arg))
-    number = np.frompyfunc(partial(_input.number, "t"), 1, 1)
-    return _Arithmetic(+mpmath.pi, sin, cos, arg, lambda name, t: np.array(number(t), object))
+    exact = np.frompyfunc(partial(number, "t"), 1, 1)
+    return _Arithmetic(+mpmath.pi, sin, cos, arg, lambda name, t: np.array(exact(t), object))
 
 
 def _precision(dps: int | None) -> AbstractContextManager[Any]:
-    return nullcontext() if dps is None else mpmath.workdps(_input.digits(dps) + GUARD)
+    return nullcontext() if dps is None else mpmath.workdps(whole("dps", dps, 1) + GUARD)

@@ -18,8 +18,8 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import root_scalar
 
 from ftseries.aliases import ArrayLike
+from ftseries.arguments import real, scalar
 from ftseries.errors import InputError
-from ftseries.references._input import real
 
 __all__ = ["LimitCycle"]
 
@@ -50,7 +50,7 @@ class LimitCycle:
     """
 
     def __init__(self, eps: float) -> None:
-        self.eps = float(real("eps", eps))
+        self.eps = scalar("eps", eps)
         if not 0 <= self.eps <= LARGEST:
             raise InputError(f"eps={eps!r}: give a number from 0 to {LARGEST:g}")
         self.amplitude = 2.0 if self.eps == 0 else float(root_scalar(

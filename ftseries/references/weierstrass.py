@@ -14,7 +14,7 @@ from typing import Any
 import mpmath
 
 from ftseries.errors import InputError
-from ftseries.references._input import in_digits, number
+from ftseries.references._digits import in_digits, number
 from ftseries.references.cubic import invariants
 
 __all__ = ["position", "shift", "weierstrass_p"]

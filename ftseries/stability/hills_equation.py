@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 from ..aliases import Array, ArrayLike, Real
+from ..arguments import scalars
 from ..errors import InputError
-from ..trig import finite
 from .variation import Monodromy, monodromy, safe
 
 __all__ = ["Hill", "hill"]
@@ -87,8 +87,7 @@ def hill(a: float, lam: float, mu: float = 0.0, period: float = np.pi) -> Hill:
     >>> at.place, np.allclose(at.jordan, 0, rtol=0, atol=1e-11)
     ('edge', True)
     """
-    a, lam, mu, period = (float(finite(key, v)) for key, v in (
-        ("a", a), ("lam", lam), ("mu", mu), ("period", period)))
+    a, lam, mu, period = scalars({"a": a, "lam": lam, "mu": mu, "period": period}).values()
     turns = round(period / np.pi)
     if turns < 1 or abs(period / np.pi - turns) > 1e-12:
         raise InputError(f"period={period:g}: give π or a multiple of it")

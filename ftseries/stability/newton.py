@@ -20,8 +20,8 @@ import numpy as np
 from scipy.linalg import eig, null_space, orth
 
 from ..aliases import Array, ComplexArray
+from ..arguments import scalar
 from ..errors import InputError
-from ..trig import finite
 from .variation import Monodromy, monodromy, safe, symplectic
 
 __all__ = ["Bodies", "bodies"]
@@ -118,7 +118,7 @@ def bodies(positions: Callable[[Array], ComplexArray], period: float = 2 * np.pi
     >>> m.rotation_numbers()[0].round(8)                            # both real: linearly stable
     array([0.00842272, 0.29809253])
     """
-    period = float(finite("period", period))
+    period = scalar("period", period)
     samples = np.asarray(positions(period * np.arange(_SAMPLES) / _SAMPLES))
     if samples.ndim != 2 or samples.shape[-1] != _SAMPLES or not np.isfinite(samples).all():
         raise InputError("positions(t) must be finite complex numbers of shape (bodies,) + t.shape")

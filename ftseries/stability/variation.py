@@ -17,8 +17,8 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from ..aliases import Array, ComplexArray
+from ..arguments import scalar
 from ..errors import InputError
-from ..trig import finite
 
 __all__ = ["Monodromy", "monodromy", "safe", "symplectic"]
 
@@ -78,7 +78,7 @@ def monodromy(linear: Callable[[float], Array], period: float, size: int) -> tup
     >>> np.allclose(m, turn, rtol=0, atol=1e-12), bool(change.max() < 1e-11)
     (True, True)
     """
-    period = float(finite("period", period))
+    period = scalar("period", period)
     if period <= 0:
         raise InputError(f"period={period:g}: give a positive number")
 

@@ -5,6 +5,7 @@ import functools
 import http.server
 import os
 import threading
+import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -71,20 +72,32 @@ class Explorer:
         self.box.locator(".ft-status:not(:empty)").wait_for()
         self.box.scroll_into_view_if_needed()
 
+    def settle(self):
+        """Wait until what was done is drawn, and announced: at most 0.1 s after its frame."""
+        self.page.evaluate("""new Promise(done => requestAnimationFrame(
+            () => requestAnimationFrame(() => setTimeout(done, 150))))""")
+
+    def until(self, holds, seconds=60):
+        """Wait until something holds that takes its time: a motion, a glide."""
+        end = time.monotonic() + seconds
+        while not holds():
+            assert time.monotonic() < end, "it took too long"
+            self.settle()
+
     @property
     def status(self):
-        self.page.wait_for_timeout(200)         # the announcement is at most 0.1 s late
+        self.settle()
         return self.box.locator(".ft-status").inner_text()
 
     @property
     def note(self):
-        self.page.wait_for_timeout(100)
+        self.settle()
         return self.box.locator(".ft-note").text_content()
 
     @property
     def readings(self):
         """``{name: text}`` of the numbers below the pictures."""
-        self.page.wait_for_timeout(100)
+        self.settle()
         return dict(self.box.locator(".ft-readings").evaluate(
             "list => [...list.children].map(pair => [...pair.children].map(x => x.textContent))"))
 
@@ -93,7 +106,7 @@ class Explorer:
 
     def pictures(self):
         """The pixels of all canvases."""
-        self.page.wait_for_timeout(100)
+        self.settle()
         return self.box.locator("canvas").evaluate_all("all => all.map(c => c.toDataURL())")
 
     def handle(self, name):

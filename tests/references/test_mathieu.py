@@ -166,18 +166,18 @@ class TestIdentities:
 
 
 @pytest.mark.parametrize(("call", "name"), [
-    (lambda: mathieu.eigenvalue(np.nan), "lam must be finite"),
-    (lambda: mathieu.eigenvalue(1, np.inf), "mu must be finite"),
-    (lambda: mathieu.eigenvalue(complex(0, np.inf)), "lam must be finite"),
-    (lambda: mathieu.eigenvalue("two"), "lam must be"),
-    (lambda: mathieu.eigenvalue(1, index=-1), "index must be"),
+    (lambda: mathieu.eigenvalue(np.nan), "lam .*finite"),
+    (lambda: mathieu.eigenvalue(1, np.inf), "mu .*finite"),
+    (lambda: mathieu.eigenvalue(complex(0, np.inf)), "lam .*finite"),
+    (lambda: mathieu.eigenvalue("two"), "lam="),
+    (lambda: mathieu.eigenvalue(1, index=-1), "index="),
     (lambda: mathieu.eigenvalue(1e9), "too large"),
-    (lambda: mathieu.eigenvalue("two", dps=20), "lam must be"),
-    (lambda: mathieu.eigenvalue(2, dps=-1), "dps must be"),
-    (lambda: mathieu.eigenfunction(np.inf, 1), "x must be finite"),
-    (lambda: mathieu.eigenfunction(0, 1, derivative=-1), "derivative must be"),
-    (lambda: mathieu.integrate(0, np.nan, 1), "a must be finite"),
-    (lambda: mathieu.mathieu_b(1j), "lam must be real"),
+    (lambda: mathieu.eigenvalue("two", dps=20), "lam="),
+    (lambda: mathieu.eigenvalue(2, dps=-1), "dps="),
+    (lambda: mathieu.eigenfunction(np.inf, 1), "x .*finite"),
+    (lambda: mathieu.eigenfunction(0, 1, derivative=-1), "derivative="),
+    (lambda: mathieu.integrate(0, np.nan, 1), "a .*finite"),
+    (lambda: mathieu.mathieu_b(1j), "lam=.*real"),
 ])
 def test_refusals(call, name):
     with pytest.raises(InputError, match=name):

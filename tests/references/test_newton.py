@@ -166,13 +166,13 @@ class TestConservationLaws:
 
 
 @pytest.mark.parametrize(("call", "name"), [
-    (lambda: newton.figure_eight(np.nan), "t must be finite"),
-    (lambda: newton.figure_eight("noon"), "t must be"),
-    (lambda: newton.figure_eight(0, -1), "derivative must be"),
-    (lambda: newton.figure_eight(0, dps=0), "dps must be"),
-    (lambda: newton.figure_eight(mpmath.inf, dps=20), "t must be finite"),
-    (lambda: newton.figure_eight_state(2.5), "dps must be"),
-    (lambda: newton.published_figure_eight(np.inf), "t must be finite"),
+    (lambda: newton.figure_eight(np.nan), "t .*finite"),
+    (lambda: newton.figure_eight("noon"), "t="),
+    (lambda: newton.figure_eight(0, -1), "derivative="),
+    (lambda: newton.figure_eight(0, dps=0), "dps="),
+    (lambda: newton.figure_eight(mpmath.inf, dps=20), "t .*finite"),
+    (lambda: newton.figure_eight_state(2.5), "dps="),
+    (lambda: newton.published_figure_eight(np.inf), "t .*finite"),
 ])
 def test_refusals(call, name):
     with pytest.raises(InputError, match=name):

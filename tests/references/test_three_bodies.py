@@ -57,8 +57,8 @@ class TestBothIntegrators:
             method(2.0, [-0.5, 0.5, 100j], [0, 0, 0])
 
     @pytest.mark.parametrize(("arguments", "name"), [
-        ((np.nan, *SCATTERED), "t must be finite"),
-        (("now", *SCATTERED), "t must be"),
+        ((np.nan, *SCATTERED), "t .*finite"),
+        (("now", *SCATTERED), "t="),
         ((1.0, SCATTERED[0][:2], SCATTERED[1]), "three complex numbers"),
         ((1.0, SCATTERED[0], SCATTERED[1] * np.nan), "finite"),
         ((1.0, [0, 0, 1], SCATTERED[1]), "different points"),
@@ -115,5 +115,5 @@ def test_residual():
 
 @pytest.mark.parametrize("dps", [0, 1.5, "many"])
 def test_digits_refused(dps):
-    with pytest.raises(InputError, match="dps must be"):
+    with pytest.raises(InputError, match="dps="):
         integrate_taylor(1.0, *SCATTERED, dps=dps)

@@ -1,0 +1,41 @@
+"""Numbers with any number of digits: how the references take them, and compute with them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import mpmath
+
+from ftseries.arguments import whole
+from ftseries.errors import InputError
+
+GUARD = 10
+"""Decimal digits carried beyond those asked for."""
+
+
+def number(name: str, value: Any) -> Any:
+    """`value` as an mpmath number at the working precision; a string gives all its digits.
+
+    >>> number("lam", "0.5")
+    mpf('0.5')
+    """
+    try:
+        converted = mpmath.mpmathify(value)
+        finite = mpmath.isfinite(converted)
+    except (TypeError, ValueError):
+        raise InputError(f"{name}={value!r} is not a number, nor its digits") from None
+    if not finite:
+        raise InputError(f"{name} is NaN or infinite; give a finite number")
+    return converted
+
+
+def in_digits(dps: Any, function: Callable[..., Any], *arguments: Any) -> Any:
+    """`function(*arguments)` with guard digits, rounded to `dps` decimal digits.
+
+    >>> mpmath.nstr(in_digits(20, mpmath.sqrt, 2), 20)
+    '1.4142135623730950488'
+    """
+    dps = whole("dps", dps, 1)
+    with mpmath.workdps(dps):
+        return mpmath.workdps(dps + GUARD, normalize_output=True)(function)(*arguments)
