@@ -6,11 +6,13 @@ dependent (in the eight, S'' = 0 makes one redundant).  The columns of J come fr
 
 .. math::  J_k = \mathrm{Im}\, F(c + i h e_k) / h, \qquad h = 10^{-30},
 
-which have no cancellation.  More modes are taken until the last ones are negligible.
+which have no cancellation.  It begins with few modes, whose decay says how many are needed for the
+last ones to be negligible.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -30,7 +32,9 @@ if TYPE_CHECKING:
 __all__ = ["Orbit", "refine", "residuals"]
 
 _STEP = 1e-30
-_FIRST_MODES, _MOST_MODES = 48, 1024
+_FIRST_MODES, _MOST_MODES = 24, 1024
+_MARGIN = 8
+_NEGLIGIBLE, _NOISE = 1e-15, 1e-17          # of a mode, against the largest one
 _MORE_ROWS = 5                              # more equations than modes hold the last modes down
 _MOST_STEPS = 30
 
@@ -160,6 +164,16 @@ class Collocation:
                 axis=-1, keepdims=True))
         return np.concatenate(values, axis=-1)
 
+    def vector(self, coefficients: Mapping[str, Modes]) -> Array:
+        """The free modes, in the order of the columns."""
+        return np.array([coefficients[name].get((sine, n), 0.0) for name, sine, n in self.columns])
+
+    def residuals(self, x: Array, lam: float) -> dict[str, float]:
+        """The largest absolute residual of each equation on the grid."""
+        parameter, unknowns = self.unknowns(x, np.asarray(lam))
+        return {name: float(np.abs(r.values).max())
+                for name, r in self.problem.equations(parameter, **unknowns).items()}
+
     def newton(self, x: Array, lam: float, condition: bool) -> tuple[Array, float, int]:
         """(x, λ, steps) with steps of Newton's method until rounding stops them."""
         size, before = len(x) + condition, np.inf
@@ -220,27 +234,48 @@ def refine(problem: Problem, first_guess: dict[str, Modes], lam: float, conditio
     tuple
         (λ, coefficients, residual, steps), all in the solver's units.
     """
-    highest = max((n for modes in first_guess.values() for _, n in modes), default=0)
-    top, total, guess = max(_FIRST_MODES, highest + 2), 0, first_guess
+    total, guess = 0, first_guess
+    top = max(_FIRST_MODES, _last(_sizes(guess), _NOISE) + 2)
     while True:
         system = Collocation(problem, top, parameters)
-        x = np.array([guess[name].get((sine, n), 0.0) for name, sine, n in system.columns])
-        x, lam, steps = system.newton(x, lam, condition)
+        x, lam, steps = system.newton(system.vector(guess), lam, condition)
         total += steps
         guess = {name: {} for name in problem.unknowns}
         for (name, sine, n), value in zip(system.columns, x):
             guess[name][sine, n] = value
-        tail = max((abs(c) for modes in guess.values() for (_, n), c in modes.items()
-                    if n > top - 4), default=0.0)
-        if tail < 1e-15 * np.abs(x).max() or top >= _MOST_MODES:
+        sizes = _sizes(guess)
+        if _last(sizes, _NEGLIGIBLE) <= top - 4 or top >= _MOST_MODES:
             break
-        top += top // 2
+        top = _more(sizes)
     for modes in guess.values():                        # rounding noise is not a mode
-        for mode in [mode for mode, c in modes.items() if abs(c) < 1e-17 * np.abs(x).max()]:
+        for mode in [mode for mode, c in modes.items() if abs(c) < _NOISE * sizes.max()]:
             del modes[mode]
     for name in guess:
         guess[name] |= {mode: c * lam**m for m, mode, c in _fixed(problem, name)}
-    return lam, guess, max(residuals(problem, guess, lam, parameters).values()), total
+    return lam, guess, max(system.residuals(x, lam).values()), total
+
+
+def _sizes(guess: Mapping[str, Modes]) -> Array:
+    """The largest coefficient of each Fourier order, over all unknowns."""
+    sizes = np.zeros(1 + max((n for modes in guess.values() for _, n in modes), default=0))
+    for modes in guess.values():
+        for (_, n), c in modes.items():
+            sizes[n] = max(sizes[n], abs(c))
+    return sizes
+
+
+def _last(sizes: Array, small: float) -> int:
+    """The last Fourier order that is not ``small`` against the largest one."""
+    return int(max(np.flatnonzero(sizes > small * sizes.max()), default=0))
+
+
+def _more(sizes: Array) -> int:
+    """How many modes are needed, if they go on to decay as in the upper half of those known."""
+    top = len(sizes) - 1
+    middle, tail = (sizes[end - 5:end + 1].max() for end in (top // 2, top))
+    decay = 2 * math.log(max(middle / tail, 1 + 1e-9)) / top
+    more = math.log(tail / (_NEGLIGIBLE * sizes.max())) / decay
+    return min(_MOST_MODES, top + math.ceil(min(more, 2 * top)) + _MARGIN)
 
 
 def residuals(problem: Problem, coefficients: dict[str, Modes], lam: float,
@@ -250,8 +285,5 @@ def residuals(problem: Problem, coefficients: dict[str, Modes], lam: float,
     ``coefficients`` are ``{name: {(sine, n): float}}`` at ``lam``, in the solver's units.
     """
     top = max((n for modes in coefficients.values() for _, n in modes), default=0) + 1
-    system = Collocation(problem, max(top, _FIRST_MODES // 2), parameters)
-    x = np.array([coefficients[name].get((sine, n), 0.0) for name, sine, n in system.columns])
-    parameter, unknowns = system.unknowns(x, np.asarray(lam))
-    return {name: float(np.abs(r.values).max())
-            for name, r in problem.equations(parameter, **unknowns).items()}
+    system = Collocation(problem, max(top, _FIRST_MODES), parameters)
+    return system.residuals(system.vector(coefficients), lam)

@@ -1,5 +1,7 @@
 """The float ring: values on a quarter-period grid are finite Fourier sums without loss."""
 
+from itertools import combinations_with_replacement
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -65,9 +67,13 @@ def test_numbers_become_floats():
     assert [FloatRing(2).number(x) for x in (0.1, "1/4", 3)] == [0.1, 0.25, 3.0]
 
 
-def test_a_mode_beyond_the_grid_is_refused():
-    with pytest.raises(InputError, match="Fourier order 9"):
-        FloatRing(4).from_modes({(0, 9): 1.0})
+@pytest.mark.parametrize("degree", DEGREES)
+def test_the_first_mode_of_each_kind_beyond_the_grid_is_refused(degree):
+    """The kinds end at 2M-2, 2M-1, 2M and 2M-1, where M = D//2 + 1."""
+    points = degree // 2 + 1
+    for sine, n in ((0, 2 * points), (0, 2 * points + 1), (1, 2 * points + 2), (1, 2 * points + 1)):
+        with pytest.raises(InputError, match=f"Fourier order {n} .* {points} grid points"):
+            FloatRing(degree).from_modes({(sine, n): 1.0})
 
 
 @given(st.integers(1, 12))
@@ -115,12 +121,32 @@ class TestTable:
             a.append(self.row(k + 1) if k % 2 in keep[powers_a] else self.ring.from_modes({}))
             b.append(self.row(2 * k + 1) if k % 2 in keep[powers_b] else self.ring.from_modes({}))
         for k in range(lo, 9):
-            for alpha, beta in ((1, 0), (-1, 0), (2, 3)):
-                total = sum((alpha + beta * j) * (j + 1) * (2 * (k - j) + 1)
-                            for j in range(lo, k + 1)
-                            if j % 2 in keep[powers_a] and (k - j) % 2 in keep[powers_b])
-                value = self.ring.convolve(a, b, k, lo, k, alpha, beta).modes().get((0, 0), 0.0)
-                assert value == pytest.approx(total, abs=1e-11)
+            for alpha, beta in ((1, 0), (-1, 0), (3, 0), (2, 3)):
+                pairs = [j for j in range(lo, k + 1)
+                         if j % 2 in keep[powers_a] and (k - j) % 2 in keep[powers_b]]
+                total = sum((alpha + beta * j) * (j + 1) * (2 * (k - j) + 1) for j in pairs)
+                trig = self.ring.convolve(a, b, k, lo, k, alpha, beta)
+                assert trig.modes().get((0, 0), 0.0) == pytest.approx(total, abs=1e-11)
+                assert pairs or not trig.parts              # a sum of nothing has no part
+
+    def test_cauchy_sums_of_tables_with_several_kinds(self):
+        """Each is the sum of the products of rows: of cos (k mod 2)τ, whose two kinds have orders
+        of one parity each, and of rows with four kinds at all orders."""
+        rows = [[self.ring.from_modes({(0, k % 2): k + 1.0}) for k in range(7)],
+                [self.ring.from_modes({(0, 1): 1.0 - k, (1, 1): 2.0, (0, 2): 3.0 + k, (1, 2): -1.0})
+                 for k in range(7)]]
+        tables = [GridTable(self.ring), GridTable(self.ring)]
+        for table, trigs in zip(tables, rows):
+            for trig in trigs:
+                table.append(trig)
+        for a, b in ((0, 0), (0, 1), (1, 0), (1, 1)):
+            for lo, hi, k in combinations_with_replacement(range(7), 3):
+                total = self.ring.from_modes({})
+                for j in range(lo, hi + 1):
+                    total = total + (rows[a][j] * rows[b][k - j]).scale(2.0 - j)
+                found = self.ring.convolve(tables[a], tables[b], k, lo, hi, 2, -1).modes()
+                # values below 10⁴ on the grid, a dozen roundings of each
+                assert found == pytest.approx(total.modes(), rel=0, abs=1e-10)
 
 
 def test_a_high_order_series_keeps_its_precision():

@@ -1,7 +1,7 @@
 """Laws of the ring of Fourier-Taylor series, in every arithmetic, on random series."""
 
 from fractions import Fraction
-from math import factorial
+from math import comb, factorial
 
 import flint
 import numpy as np
@@ -238,6 +238,8 @@ def test_ring_axioms_over_the_root_of_three(a, b, c, p, q):
 def test_the_root_of_three_reduces():
     ring = SurdRing(("mu",))
     assert ring.from_modes({(0, 0): ring.surd}).scale(ring.surd).modes() == {(0, 0): 3}
+    root = Expansion(ring).parameter("sqrt3")               # the name that SymPy's √3 is put for
+    assert (root * root)[0].modes() == {(0, 0): 3}
     twelfth = Expansion(ring).cos(1).shift(Fraction(1, 12))[0].modes()
     assert twelfth == {(0, 1): ring.surd / 2, (1, 1): fmpq(-1, 2)}      # cos(τ + π/6)
     with pytest.raises(InputError, match="1/5"):
@@ -271,6 +273,7 @@ def test_inverse(ring, u):
     u = make(Expansion(ring), u)
     equal(u * u**-1, u**0)
     equal(1 / u, u**-1)
+    equal(3 / u, u**-1 * 3)
     equal(u**-2, u**-1 * u**-1)
     equal(u / u, u**0)
 
@@ -286,6 +289,14 @@ def test_powers_add_and_multiply(ring, u, alpha, beta):
     u = make(Expansion(ring), u)
     equal(u**alpha * u**beta, u ** (alpha + beta))
     equal((u**alpha).diff(), alpha * u ** (alpha - 1) * u.diff())
+
+
+@pytest.mark.parametrize("c", [Fraction(2), Fraction(1, 2)])
+@given(near_one, st.integers(-5, 5).filter(bool))
+def test_a_constant_factor_in_a_power(ring, c, u, m):
+    """(c² u)^{m/2} = c^m u^{m/2}: the series starts at c², not at 1."""
+    u = make(Expansion(ring), u)
+    equal((c**2 * u) ** Fraction(m, 2), c**m * u ** Fraction(m, 2))
 
 
 @given(near_one, near_one, exponents)
@@ -401,6 +412,79 @@ def test_a_long_sum_with_its_deep_part_kept():
             for i in range(25) for j in range(25 - i))
 
 
+LONG = 12
+
+
+@pytest.fixture(params=RINGS)
+def long_ring(request):
+    """To order 12: Cauchy sums have a deep part, which settled coefficients give, from order 6."""
+    with flint.ctx.workprec(200):
+        yield FloatRing(degree=LONG, order=LONG) if request.param == "float" else RINGS[
+            request.param]()
+
+
+def legendre(k):
+    """P_k(cos τ) = Σ_j c_j c_{k-j} cos (k - 2j)τ with c_j = C(2j, j)/4^j."""
+    out = {}
+    for j in range(k + 1):
+        mode = 0, abs(k - 2 * j)
+        out[mode] = out.get(mode, 0) + Fraction(comb(2 * j, j) * comb(2 * k - 2 * j, k - j), 4**k)
+    return out
+
+
+def test_products_and_powers_of_the_generating_function_of_legendre(long_ring):
+    """G = Σ λ^k P_k(cos τ) = D^{-1/2} with D = 1 - 2λ cos τ + λ²; and 1/D = Σ λ^k U_k(cos τ)
+    with U_k = Σ_j cos (k - 2j)τ.  G and 1/D have terms at all orders."""
+    expansion = Expansion(long_ring)
+    g, u = make(expansion, [legendre(k) for k in range(LONG + 1)],
+                [{(0, n): 2 if n else 1 for n in range(k % 2, k + 1, 2)} for k in range(LONG + 1)])
+    d = 1 - 2 * expansion.lam * expansion.cos(1) + expansion.lam**2
+    equal(g * g, u, LONG)
+    equal(g * u * d, g, LONG)
+    equal(g**-1, g * d, LONG)
+    equal(g**-2, d, LONG)
+    equal(u ** Fraction(1, 2), g, LONG)
+    equal(u ** Fraction(-3, 2), g * d * d, LONG)
+    equal(d ** Fraction(-1, 2), g, LONG)
+
+
+def test_functions_of_the_logarithm(long_ring):
+    """-log(1 - λ e^{iτ}) = L + iθ with L = Σ λ^k cos kτ/k and θ = Σ λ^k sin kτ/k.  So exp L is the
+    generating function of Legendre's polynomials, and e^{-iθ} = (1 - λ e^{iτ}) exp L."""
+    expansion = Expansion(long_ring)
+    log, theta, g = make(expansion, *(
+        [{}, *({(sine, k): Fraction(1, k)} for k in range(1, LONG + 1))] for sine in (0, 1)),
+        [legendre(k) for k in range(LONG + 1)])
+    equal(exp(log), g, LONG)
+    equal(sin(theta), expansion.lam * expansion.sin(1) * g, LONG)
+    equal(cos(theta), (1 - expansion.lam * expansion.cos(1)) * g, LONG)
+
+
+@pytest.mark.parametrize("changed", range(LONG + 1))
+def test_a_change_of_any_order_is_forgotten_up_to_a_high_one(changed):
+    """Also by the kept deep parts of the sums: that of order 6 + j contains coefficient 3 + j."""
+    expansion, fresh = Expansion(RationalRing()), Expansion(RationalRing())
+    rows = [{(0, k % 3): Fraction(1, k + 1), (1, 1): Fraction(k)} for k in range(LONG + 1)]
+    rows[0] = {(0, 0): Fraction(1)}
+
+    def graph(x):
+        return x * x.diff() + x**-1 + x ** Fraction(-1, 2) + exp(x.diff()) + sin(x.diff())
+
+    def set_from(first):
+        for k in range(first, LONG + 1):
+            x.set(k, expansion.ring.from_modes({m: fmpq(c.numerator, c.denominator)
+                                                for m, c in rows[k].items()}))
+
+    x = expansion.unknown()
+    set_from(0)
+    y = graph(x)
+    y[LONG]
+    rows[changed] = {(0, 0): Fraction(4)}
+    set_from(changed)
+    expansion.forget(changed)
+    equal(y, graph(make(fresh, rows)), LONG)
+
+
 # --- arithmetics against each other -------------------------------------------------------------
 
 @given(near_one, small, exponents)
@@ -475,6 +559,15 @@ def test_irrational_numbers_in_exact_arithmetic(ring):
     with pytest.raises(InputError, match="neighbours"):
         expansion.cos(1).shift(Fraction(1, 3))[0]
     assert ((Fraction(9, 4) + expansion.lam) ** Fraction(-3, 2))[0].modes() == {(0, 0): fmpq(8, 27)}
+    assert ((expansion.lam - 2) ** -3)[0].modes() == {(0, 0): fmpq(-1, 8)}
+
+
+@pytest.mark.parametrize("ring", ["exact", "polynomial"], indirect=True)
+@pytest.mark.parametrize("power", [Fraction(1, 2), Fraction(1, 3), Fraction(-2, 3)])
+def test_a_root_of_a_negative_number_in_exact_arithmetic(ring, power):
+    """Also a cube root: the principal value of (-64)^{1/3} is not -4."""
+    with pytest.raises(InputError, match="not rational"):
+        ((Expansion(ring).lam - 64) ** power)[0]
 
 
 @pytest.mark.parametrize("ring", ["ball", "float"], indirect=True)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from ftseries.errors import InputError, NonAnalyticError
 from ftseries.grid import FloatRing
-from ftseries.laurent import BallRing, PolynomialRing, RationalRing
+from ftseries.laurent import BallRing, PolynomialRing, RationalRing, SurdRing
 from ftseries.trig import Ring, Table, Trig
 
 MODES = [(0, 0), (0, 1), (0, 2), (0, 3), (1, 1), (1, 2), (1, 3)]
@@ -63,6 +63,34 @@ def test_exact_zeros_are_left_out():
     assert ring.from_modes({}).modes() == {}
 
 
+@pytest.mark.parametrize("ring", [*RINGS[:3], SurdRing()], ids=["exact", "polynomial", "ball",
+                                                              "surd"])
+def test_a_part_is_the_laurent_polynomial_of_its_definition(ring):
+    """At z = 2, w = 4: z^{-d} p(w)/c is cos nτ = (z^n + z^{-n})/2 and, times i, sin nτ =
+    (z^n - z^{-n})/2i; and a value of a sum, a multiple, a product is that of the values."""
+    def value(trig):
+        out = [fmpq(0), fmpq(0)]                            # real and imaginary part
+        for kind, (d, p, c) in trig.parts.items():
+            out[kind >> 1] += p(4, *(0 for _ in ring.names)) * fmpq(1, 2**d * int(c))
+        return out
+
+    def expected(modes):
+        out = [fmpq(0), fmpq(0)]
+        for (sine, n), c in modes.items():
+            out[sine] += c * (fmpq(1, 2**n) - 2**n if sine else fmpq(1, 2**n) + 2**n) / 2
+        return out
+
+    modes = [{(0, 0): fmpq(1), (0, 1): fmpq(3), (0, 2): fmpq(-2), (1, 1): fmpq(5)},
+             {(0, 1): fmpq(2), (0, 4): fmpq(3, 8), (1, 2): fmpq(-1), (1, 3): fmpq(7)}]
+    u, v = (ring.from_modes({mode: ring.number(c) for mode, c in row.items()}) for row in modes)
+    (a, b), (c, d) = map(expected, modes)
+    assert value(u) == [a, b] and value(v) == [c, d]
+    assert value(u + v) == [a + c, b + d]
+    assert value(u.scale(ring.number(fmpq(3, 2)))) == [a * fmpq(3, 2), b * fmpq(3, 2)]
+    assert value(u * v) == [a * c - b * d, a * d + b * c]
+    assert value(Trig(ring, {0: ring.one})) == [1, 0]
+
+
 @given(st.dictionaries(st.sampled_from(MODES), st.fractions(max_denominator=30), max_size=5))
 def test_modes_there_and_back(modes):
     ring = RationalRing()
@@ -94,6 +122,15 @@ def test_balls_enclose_irrational_turns():
         c, s = BallRing().turn(Fraction(1, 5))
         assert (4 * c * c + 2 * c - 1).contains(0) and (c * c + s * s - 1).contains(0)
         assert c > 0 and s > 0 and c.rad() < 1e-80
+
+
+def test_a_whole_number_is_an_exact_ball():
+    """However many bits it has; a fraction is a ball around it."""
+    with flint.ctx.workprec(53):
+        assert BallRing().number(3**60).unique_fmpz() == 3**60
+        assert BallRing().number(3**60).is_exact()
+        third = BallRing().number(fmpq(1, 3))
+        assert third.contains(fmpq(1, 3)) and 0 < third.rad() < 2.0**-53
 
 
 def test_the_roots_of_the_rings():

@@ -70,6 +70,10 @@ def test_speaker_sees_the_notes_and_the_next_slide(deck):
     notes.filter(has_text="Welcome everybody").wait_for()
     assert notes.locator("svg").count() == 1 and notes.locator("math").count() == 0
     upcoming = window.frame_locator("#upcoming-slide iframe")
+    upcoming.locator("section.present").first.wait_for()        # before, it misses what is sent
+    go(deck, "ArrowRight")
+    assert "A formula" in go(deck).inner_text()
+    upcoming.locator(".fragment.visible").wait_for()            # what comes next on this slide
     upcoming.get_by_role("heading", name="A formula").wait_for()
 
 
