@@ -111,10 +111,10 @@ class FloatRing(Ring):
 
     def convolve(self, a: Terms, b: Terms, k: int, lo: int, hi: int, alpha: int = 1,
                  beta: int = 0) -> Trig:
-        if isinstance(a, list):                       # a single product
-            return Trig(self, _merge((ku ^ kv, p * q * (alpha + beta * lo))
-                                     for ku, p in a[0].parts.items()
-                                     for kv, q in b[0].parts.items()))
+        if isinstance(a, list):                       # of Trig: a single product
+            (u,), (v,) = a, b
+            return Trig(self, _merge((ku ^ kv, p * q) for ku, p in u.parts.items()
+                                     for kv, q in v.parts.items()))
         terms = []
         for ku, (p, parity_p) in a.parts.items():
             for kv, (q, parity_q) in b.parts.items():

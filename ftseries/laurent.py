@@ -145,11 +145,10 @@ class RationalRing(_LaurentRing):
                        multiplier: Multiplier) -> list[tuple[int, Part]]:
         d, p, c = part
         values = p.coeffs()
-        real, imaginary = zip(*(multiplier(2 * i - d, self) for i in range(len(values) or 1)),
-                              strict=True)
+        real, imaginary = zip(*(multiplier(2 * i - d, self) for i in range(len(values) or 1)))
         sign = -1 if kind & 2 else 1
-        images = [(kind, [v * a for v, a in zip(values, real, strict=False)]),
-                  (kind ^ 2, [v * (sign * b) for v, b in zip(values, imaginary, strict=False)])]
+        images = [(kind, [v * a for v, a in zip(values, real)]),
+                  (kind ^ 2, [v * (sign * b) for v, b in zip(values, imaginary)])]
         return [(new, (d, fmpz_poly(image), c)) for new, image in images if any(image)]
 
     def root(self, value: fmpq, alpha: Exact) -> fmpq:
@@ -168,7 +167,7 @@ class RationalRing(_LaurentRing):
         scales = [fmpq(1, p[2] * q[2]) * weight for p, q, weight in terms]
         common = reduce(fmpz.lcm, (s.q for s in scales))
         total = fmpz_poly()
-        for ((d, p, _), (e, q, _), _), s in zip(terms, scales, strict=True):
+        for ((d, p, _), (e, q, _), _), s in zip(terms, scales):
             product = p * q * (s.p * (common // s.q))
             total += product.left_shift((top - d - e) // 2) if d + e != top else product
         return self.reduced(top, fmpq_poly(total, common))
@@ -278,9 +277,6 @@ class BallRing(_LaurentRing):
             raise InputError(f"({value})^({alpha}), a root of a negative number or a power of a "
                              "ball with zero inside, is not real and finite; raise the precision")
         return root
-
-    def is_zero(self, number: arb | int) -> bool:
-        return number.is_zero() if isinstance(number, arb) else number == 0
 
     def turn(self, fraction: Exact) -> tuple[Number, Number]:
         fraction = 2 * rational(fraction)

@@ -98,7 +98,7 @@ class Series:
         if alpha.q == 1 and alpha > 0:
             if alpha == 1:
                 return self
-            half = self ** int(alpha.p // 2) if alpha > 1 else self
+            half = self ** int(alpha.p // 2)
             return half * half * self if alpha.p % 2 else half * half
         return self._series(1) if alpha == 0 else Power(self, alpha)
 

@@ -11,6 +11,7 @@
       margin: 0.02,
       center: false,
       hash: true,
+      navigationMode: "linear",
       slideNumber: "c/t",
       transition: "none",
       backgroundTransition: "none",
@@ -37,13 +38,33 @@
     slide.scrollHeight > slide.clientHeight ||
     [...slide.querySelectorAll("div.math, .output")].some((box) =>
       box.scrollWidth > box.clientWidth + 1);
+  const frames = () =>
+    new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+
+  // An explorer is laid out at the width at which, zoomed to the slide, text and pictures are large.
+  const WIDTHS = [1200, 1080, 960, 840, 720, 600];
+  const fitExplorer = async (slide, explorer) => {
+    if (slide.dataset.fitted) return;
+    slide.dataset.fitted = true;
+    const scale = window.Reveal.getScale();
+    const height = (box) => box.getBoundingClientRect().height / scale;
+    let best = { score: 0 };
+    for (const width of WIDTHS) {
+      explorer.style.width = `${width}px`;
+      await frames();
+      const others = [...slide.children].reduce((sum, child) => sum + height(child), 0)
+        - height(explorer);
+      const zoom = Math.min(1200 / width, (slide.clientHeight - 90 - others) / height(explorer));
+      const score = zoom * zoom * width;
+      if (score > best.score) best = { width, zoom, score };
+    }
+    explorer.style.width = `${best.width}px`;
+    explorer.style.zoom = best.zoom;
+  };
+
   const fit = (slide) => {
     const explorer = slide.querySelector(".ft-explorer");
-    if (explorer && isFull(slide)) {
-      const room = slide.clientHeight - (slide.scrollHeight - explorer.offsetHeight);
-      explorer.style.maxWidth = `${explorer.offsetWidth}px`;
-      explorer.style.zoom = Math.max(0.5, room / explorer.offsetHeight);
-    }
+    if (explorer) fitExplorer(slide, explorer);
     for (let size = 30; !explorer && size >= 17 && isFull(slide); size -= 1) {
       slide.style.fontSize = `${size}px`;
     }

@@ -78,7 +78,7 @@ def test_speaker_sees_the_notes_and_the_next_slide(deck):
 
 
 def test_explorer_takes_the_keys_while_it_has_the_focus(deck):
-    slide = go(deck, "ArrowRight", "ArrowRight", "ArrowRight")      # one is for the fragment
+    slide = go(deck, *["ArrowRight"] * 4)                   # one is for the fragment
     shown = Explorer(deck, 0)
     before, pixels = shown.status, shown.pictures()
     shown.handle("λ").press("ArrowRight")

@@ -36,12 +36,12 @@ def test_cells_begin_continue_and_leave_slides():
     doctree = page(mark("-"), text("a"), mark(""), text("left out"), mark("subslide"), text("b"),
                    code("-"), text("of no cell"), code(),
                    mark("slide"), text("c"), mark(""), text("d"))
-    assert shown(doctree) == [["Chapter\n\na", "b\n\noutput"], ["c"]]
+    assert shown(doctree) == [["Chapter\n\na", "Chapter\n\nb\n\noutput"], ["Chapter\n\nc"]]
 
 
 def test_code_is_shown_only_where_it_is_asked_for():
     assert shown(page(code("slide"), code("slide", ["slide-code"]))) == [
-        ["Chapter"], ["output"], ["print()\n\noutput"]]
+        ["Chapter"], ["Chapter\n\noutput"], ["Chapter\n\nprint()\n\noutput"]]
 
 
 def test_notes_and_fragments_are_wrapped():

@@ -3,8 +3,9 @@
 The cells themselves say what a deck shows, by the metadata that Jupyter gives them under
 ``slideshow``, ``slide_type``: a cell begins a ``slide`` or, below it, a ``subslide``, appears on it
 as a ``fragment``, goes on (``-``), or is what the speaker says (``notes``). Other cells are left
-out, and so is the code of a cell without the tag ``slide-code``. A deck is cut from the page as
-Sphinx resolved it: the same outputs, explorers, and numbers of equations, figures and theorems.
+out, and so is the code of a cell without the tag ``slide-code``. A slide that begins no section has
+the heading of the one that it is in. A deck is cut from the page as Sphinx resolved it: the same
+outputs, explorers, and numbers of equations, figures and theorems.
 References to what the deck leaves out lead to the page.
 """
 
@@ -66,7 +67,8 @@ def deck(doctree):
         if kind == "slide" or not stacks:
             stacks.append([])
         if kind in ("slide", "subslide") or not stacks[-1]:
-            stacks[-1].append(nodes.section(ids=[_anchor(parts, stacks)]))
+            heading = [] if isinstance(parts[0], nodes.title) else _heading_again(parts[0])
+            stacks[-1].append(nodes.section("", *heading, ids=[_anchor(parts, stacks)]))
         copies = [_for_slides(part) for part in parts]
         if kind == "notes":
             copies = [nodes.raw("", '<aside class="notes">', format="html"), *copies,
@@ -82,6 +84,16 @@ def _anchor(parts, stacks):
     if isinstance(parts[0], nodes.title):
         return parts[0].parent["ids"][0]
     return f"slide-{len(stacks)}-{len(stacks[-1]) + 1}"
+
+
+def _heading_again(part):
+    """The title of the page's section that holds a part: a slide without one of its own has it."""
+    while (part := part.parent) is not None:
+        if isinstance(part, nodes.section) and isinstance(part.children[0], nodes.title):
+            title = part.children[0].deepcopy()
+            title["classes"].append("again")
+            return [title]
+    return []
 
 
 def _for_slides(original):
