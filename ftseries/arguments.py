@@ -10,12 +10,35 @@ from typing import Any
 import numpy as np
 from flint import fmpq
 from mpmath import isfinite
-from mpmath.libmp import to_rational
+from mpmath.libmp import (from_float, from_str, repr_dps, round_nearest, to_float, to_rational,
+                          to_str)
 
 from .aliases import Array, Exact
 from .errors import InputError
 
-__all__ = ["rational", "real", "scalar", "scalars", "whole"]
+__all__ = ["decimal", "rational", "real", "scalar", "scalars", "whole"]
+
+
+def decimal(x: Exact) -> fmpq:
+    """A number that a user gives, as an exact ``fmpq``: a binary one is the decimal it is read as.
+
+    That is the shortest decimal that rounds to it, as Python prints a float.  For the bits of a
+    computed float take :func:`rational`.
+
+    >>> decimal(0.3), decimal("0.3"), decimal(1/3)
+    (3/10, 3/10, 3333333333333333/10000000000000000)
+    """
+    if hasattr(x, "_mpf_") and isfinite(x):                        # mpmath or a SymPy Float
+        short = to_float(x._mpf_)
+        x = short if from_float(short) == x._mpf_ else _shortest(x)
+    return rational(str(x) if isinstance(x, (float, np.floating)) and np.isfinite(x) else x)
+
+
+def _shortest(x: Any) -> str:
+    """The shortest decimal that rounds to a number of more than 53 bits."""
+    bits = max(getattr(x, "_prec", 0), x._mpf_[3])
+    texts = (to_str(x._mpf_, digits) for digits in range(1, repr_dps(bits) + 1))
+    return next(t for t in texts if from_str(t, bits, round_nearest) == x._mpf_)
 
 
 def rational(x: Exact) -> fmpq:

@@ -13,6 +13,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .aliases import Exact, Modes, Term
+from .arguments import decimal
 from .errors import InputError
 from .series import Series
 
@@ -36,7 +37,7 @@ class Expansion:
         return Polynomial(self, [self.ring.from_modes(c) for c in coefficients])
 
     def constant(self, number: Exact) -> Polynomial:
-        return self.polynomial([{(0, 0): self.ring.number(number)}])
+        return self.polynomial([{(0, 0): self.ring.number(decimal(number))}])
 
     def parameter(self, name: str) -> Polynomial:
         """A named parameter of a :class:`ftseries.laurent.PolynomialRing`."""

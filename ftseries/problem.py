@@ -1,117 +1,37 @@
-r"""How a problem is declared: unknowns, their ansatz, equations, first coefficients.
+"""How a problem is declared: unknowns with their ansatz, equations, first coefficients.
 
-Index convention and formula.  An unknown :class:`Field` u is a Fourier-Taylor series
-
-.. math::  u(τ; λ) = \sum_m λ^m \Big( \sum_{n \le m} A_{n,m} \cos nτ + B_{n,m} \sin nτ \Big),
-
-of which the declaration keeps cosines, sines or both, all, even or odd Fourier orders n, and all,
-even or odd Taylor orders m.  An unknown :class:`Scalar` is Σ_m c_m λ^m: a frequency, an eigenvalue.
 A problem gives its equations as residuals (left side minus right side) and the *seed*: the first
 coefficients, found by hand, which choose one of the solutions of the first non-linear equations.
+Numbers in the equations and in the seed are exact: a decimal is the fraction that it looks like.
 """
 
 from __future__ import annotations
 
 import ast
+import difflib
+import inspect
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 import sympy as sp
+from flint import fmpq
 
-from .aliases import Coefficients, Expr, Function, Json, Mode, Modes
-from .arguments import rational
+from .aliases import Array, Coefficients, Expr, Function, Json, Modes
+from .ansatz import Field, Scalar, in_parity
+from .arguments import decimal
+from .conversion import to_float, to_sympy
 from .errors import InputError
+from .sampling import Sampled, Samples
 from .series import Series
 
 __all__ = ["Field", "Scalar", "Problem", "expression"]
 
-_PARITIES = {"all": (0, 1), "even": (0,), "odd": (1,)}
+#: what a problem declares, as far as a slip in the name would go unnoticed
+_DECLARATIONS = ("unknowns", "seed", "parameters", "frequency", "variable", "ahead", "surd",
+                 "equations", "arguments")
 _SAFE = (ast.Expression, ast.BinOp, ast.UnaryOp, ast.operator, ast.unaryop, ast.Constant, ast.Name,
          ast.Load)
-_SINES = {"cos": (0,), "sin": (1,), "both": (0, 1)}
-
-
-@dataclass(frozen=True)
-class Field:
-    """An unknown periodic function.
-
-    Parameters
-    ----------
-    series : "cos", "sin" or "both"
-        The Fourier modes of the ansatz.
-    modes, powers : "all", "even" or "odd"
-        Fourier orders n and Taylor orders m of the ansatz.
-    fixed : tuple of int or of (sine, n)
-        Modes that the seed gives completely: their later coefficients are zero.  This is how λ gets
-        the meaning "amplitude of that mode".  A Fourier order n means the cosine and the sine;
-        (1, n) the sine alone, (0, n) the cosine alone.
-    """
-
-    series: str = "cos"
-    modes: str = "all"
-    powers: str = "all"
-    fixed: tuple[int | Mode, ...] = ()
-
-    def __post_init__(self) -> None:
-        if self.series not in tuple(_SINES):
-            raise InputError(f"series={self.series!r}: choose 'cos', 'sin' or 'both'")
-        _check_parity(self)
-        if not isinstance(self.fixed, tuple) or not all(
-                self.has(mode if isinstance(mode, tuple) else self.mode(mode))
-                for mode in self.fixed):
-            raise InputError(f"fixed={self.fixed!r}: give a tuple of Fourier orders n of the "
-                             "ansatz, such as (1,), or of modes (sine, n)")
-
-    def columns(self, top: int) -> list[Mode]:
-        """The modes (sine, n) of the ansatz with n ≤ top, highest first."""
-        return [(sine, n) for n in range(top, -1, -1) for sine in (0, 1)
-                if self.has((sine, n)) and not self.is_fixed((sine, n))]
-
-    def has(self, mode: tuple[Any, ...]) -> bool:
-        """Is this mode (sine, n) part of the ansatz?"""
-        sine, n = mode if len(mode) == 2 else (None, None)
-        return (isinstance(n, int) and n >= 0 and sine in _SINES[self.series]
-                and n % 2 in _PARITIES[self.modes] and (n > 0 or not sine))
-
-    def is_fixed(self, mode: Mode) -> bool:
-        """Does the seed give this mode (sine, n) completely?"""
-        return mode in self.fixed or mode[1] in self.fixed
-
-    def mode(self, key: int | Mode) -> Mode:
-        """A mode given by hand: n, or (sine, n) where both kinds occur."""
-        if isinstance(key, tuple):
-            return key
-        return (1 if self.series == "sin" else 0), key
-
-
-@dataclass(frozen=True)
-class Scalar:
-    """An unknown number that depends on λ alone; ``powers`` as for :class:`Field`."""
-
-    powers: str = "all"
-    modes = "all"
-
-    def __post_init__(self) -> None:
-        _check_parity(self)
-
-    def columns(self, top: int) -> list[Mode]:
-        return [(0, 0)]
-
-    def has(self, mode: tuple[Any, ...]) -> bool:
-        return mode == (0, 0)
-
-    def is_fixed(self, mode: Mode) -> bool:
-        return False
-
-    def mode(self, key: int) -> Mode:
-        return 0, key
-
-
-def _check_parity(unknown: Field | Scalar) -> None:
-    for what in ("modes", "powers"):
-        if getattr(unknown, what) not in tuple(_PARITIES):
-            raise InputError(f"{what}={getattr(unknown, what)!r}: choose 'all', 'even' or 'odd'")
 
 
 def expression(x: Any) -> Expr:
@@ -134,16 +54,16 @@ def expression(x: Any) -> Expr:
             symbols = {name: sp.Symbol(name, positive=True) for name in names - {"sqrt"}}
             result = sp.sympify(x, locals=symbols, rational=True)
         else:
-            result = sp.nsimplify(x, rational=True) if isinstance(x, float) else sp.sympify(x)
+            result = sp.sympify(x)
     except (sp.SympifyError, SyntaxError, TypeError, ValueError):
         result = None
     if not isinstance(result, sp.Expr):
         raise InputError(f"{x!r} is not a number or a SymPy expression")
-    return result
+    return result.xreplace({c: to_sympy(decimal(c), ()) for c in result.atoms(sp.Float)})
 
 
 class Problem:
-    """A problem; subclasses declare the four attributes and :meth:`equations`.
+    """A problem; subclasses declare the attributes they need and :meth:`equations`.
 
     Attributes
     ----------
@@ -153,7 +73,8 @@ class Problem:
         Name to the list of first Taylor coefficients, each a dict ``{n: number}`` (a number alone
         for a scalar), all of them rational.
     parameters : tuple of str
-        Names carried as symbols; exact coefficients are polynomials in them.
+        Names carried as symbols; exact coefficients are polynomials in them.  :meth:`equations`
+        takes them by name, after the unknowns.
     frequency : str or None
         The scalar ω in τ = ωt; None where the period is 2π.
     variable : str
@@ -162,6 +83,27 @@ class Problem:
         How far Fourier orders may run ahead of Taylor orders: n ≤ m + ahead.  The paper has 0.
     surd : bool
         Do shifts by thirds of a period bring √3 into the single terms of the equations?
+
+    Examples
+    --------
+    A mass on a spring, x″ + x + μx³ = 0 with a free parameter μ; in τ = ωt the derivative d/dt is
+    ω d/dτ.  The seed says x = λ cos τ + … and ω = 1 + …:
+
+    >>> import ftseries as fts
+    >>> class Spring(fts.Problem):
+    ...     unknowns = {"x": fts.Field("cos", modes="odd", powers="odd", fixed=(1,)),
+    ...                 "omega": fts.Scalar("even")}
+    ...     seed = {"x": [{}, {1: 1}], "omega": [1]}
+    ...     frequency = "omega"
+    ...     parameters = ("mu",)
+    ...
+    ...     def equations(self, lam, x, omega, mu):
+    ...         return {"(spring)": omega**2 * x.diff(2) + x + mu * x**3}
+    >>> sol = fts.solve(Spring(), order=4)
+    >>> sol.coefficient("omega", 2)
+    3*mu/8
+    >>> round(sol.evaluate("omega", lam=0.1, mu=2), 6)
+    1.007472
     """
 
     unknowns: dict[str, Field | Scalar] = {}
@@ -179,19 +121,41 @@ class Problem:
         Problem.classes[cls.__name__] = cls
 
     def equations(self, lam: Function, **unknowns: Function) -> dict[str, Function]:
-        """The residuals, a dict from the equation's name to a :class:`ftseries.series.Series`."""
+        """The residuals, left side minus right side, by the name of the equation.
+
+        Written ``def equations(self, lam, x, omega, mu)``: λ, then the unknowns and the free
+        parameters by their names.  Known are + - * / with functions and numbers, ``**`` with
+        rational exponents, ``x.diff()`` and ``x.diff(2)`` for d/dτ, ``x.shift(1/4)`` for a part of
+        a period, :func:`ftseries.sin`, :func:`ftseries.cos` and :func:`ftseries.exp` of what
+        vanishes at λ = 0, and cos nτ as ``lam.expansion.cos(n)``, sin nτ likewise.
+        """
         raise InputError(f"{type(self).__name__} has no equations; define its method 'equations'")
 
-    def residuals(self, lam: Function, unknowns: Mapping[str, Function]) -> dict[str, Series]:
-        """:meth:`equations`, checked to be a dict of series."""
-        residuals = self.equations(lam, **unknowns)
+    def residuals(self, lam: Function, unknowns: Mapping[str, Function]) -> dict[str, Function]:
+        """:meth:`equations` with the free parameters put in, checked to be a dict of functions."""
+        kind, takes = type(self).__name__, inspect.signature(self.equations)
+        values = {name: lam.expansion.parameter(name) for name in self.parameters
+                  if name in takes.parameters} | dict(unknowns)
+        form = ", ".join(["self", "lam", *unknowns, *self.parameters])
+        try:
+            takes.bind(lam, **values)
+        except TypeError:
+            raise InputError(f"the method equations of {kind} takes other arguments than λ and its "
+                             f"unknowns; write def equations({form})") from None
+        try:
+            residuals = self.equations(lam, **values)
+        except (NameError, AttributeError) as error:
+            if error.name not in self.parameters:
+                raise
+            raise InputError(f"the parameter {error.name} of {kind} comes as an argument; write "
+                             f"def equations({form})") from None
         if not isinstance(residuals, dict) or not residuals:
-            raise InputError(f"{type(self).__name__}.equations must return a dict from the name of "
-                             f"each equation to its residual, not {residuals!r}")
+            raise InputError(f"{kind}.equations must return a dict from the name of each equation "
+                             f"to its residual, not {residuals!r}")
         for name, residual in residuals.items():
-            if not isinstance(residual, Series):
-                raise InputError(f"equation {name} of {type(self).__name__} is {residual!r}, not a "
-                                 "series; write left side minus right side in the unknowns")
+            if not isinstance(residual, (Series, Sampled)):
+                raise InputError(f"equation {name} of {kind} is {residual!r}, not a series; write "
+                                 "left side minus right side in the unknowns")
         return residuals
 
     #: the SymPy number in which λ is measured
@@ -227,11 +191,12 @@ class Problem:
 
     def in_powers(self, name: str, m: int) -> bool:
         """Is λ^m among the powers of an unknown's ansatz?"""
-        return m % 2 in _PARITIES[self.unknowns[name].powers]
+        return in_parity(self.unknowns[name].powers, m)
 
     def check(self) -> None:
         """Refuse a declaration that cannot be meant."""
         kind = type(self).__name__
+        self._check_names()
         if not self.unknowns:
             raise InputError(f"{kind} has no unknowns; declare its Fields and Scalars")
         for name, unknown in self.unknowns.items():
@@ -244,6 +209,58 @@ class Problem:
         if not isinstance(self.parameters, tuple):
             raise InputError(f"parameters={self.parameters!r} of {kind}: give a tuple of names, "
                              "such as ('mu',)")
+        twice = sorted(set(self.parameters) & set(self.unknowns))
+        if twice:
+            raise InputError(f"{', '.join(twice)} is declared twice, as an unknown and as a "
+                             f"parameter of {kind}; give each a name of its own")
+
+    def _declared(self) -> set[str]:
+        """The attributes that the subclass or the instance has of its own."""
+        return {name for cls in type(self).__mro__ if cls not in (Problem, object)
+                for name in vars(cls)} | set(vars(self))
+
+    def _check_names(self) -> None:
+        """Refuse an attribute that looks like a misspelt declaration."""
+        declared = self._declared()
+        missing = set(_DECLARATIONS) - declared
+        for name in sorted(name for name in declared if not name.startswith("_")):
+            like = difflib.get_close_matches(name, missing, 1, 0.85)
+            if like and not hasattr(Problem, name):
+                raise InputError(f"{type(self).__name__} has the attribute {name!r}, which looks "
+                                 f"like {like[0]!r} misspelt; correct it, or choose another name")
+
+    def check_time(self) -> None:
+        """Refuse a scalar that stands with d/dτ only, as ω d/dτ, where no frequency is declared.
+
+        Each scalar is doubled and the clock slowed down by two: if that leaves the residuals of
+        some functions as they were, the two belong together.
+        """
+        if "frequency" in self._declared():
+            return
+        for name, unknown in self.unknowns.items():
+            if not isinstance(unknown, Scalar):
+                continue
+            plain, doubled, both = (self._sample({name: factor}, clock)
+                                    for factor, clock in ((1, 1), (2, 1), (2, 0.5)))
+            if np.allclose(plain, both, 1e-9) and not np.allclose(plain, doubled, 1e-9):
+                kind = type(self).__name__
+                raise InputError(f"{name} stands with derivatives only in {kind}, as the frequency "
+                                 f"in τ = {name}·{self.variable} does; declare frequency = "
+                                 f"{name!r} (or frequency = None, if {self.variable} is τ itself)")
+
+    def _sample(self, factors: dict[str, float], clock: float) -> Array:
+        """The residuals of some functions near the seed, the scalars times their factors."""
+        samples = Samples(16, 0.1, dict.fromkeys(self.parameters, 0.3))
+        samples.n = samples.n * clock
+        unknowns = {}
+        for i, (name, rows) in enumerate(self.first_coefficients().items()):
+            start = samples.constant(to_float(rows[0].get((0, 0), fmpq(0))) + 0.1)
+            wave = 0.1 * (samples.cos(1) + samples.sin(i + 1))
+            unknowns[name] = start * factors.get(name, 1) if isinstance(
+                self.unknowns[name], Scalar) else start + wave
+        with np.errstate(all="ignore"):
+            return np.concatenate([r.values for r in
+                                   self.residuals(samples.lam, unknowns).values()], axis=-1)
 
     def first_coefficients(self) -> Coefficients:
         """The seed as ``{name: [{(sine, n): fmpq}, …]}``; refuses a missing or foreign one."""
@@ -271,4 +288,4 @@ class Problem:
             if not unknown.has(mode) or mode[1] > top:
                 raise InputError(f"the seed of {name} at order {m} of λ has the mode {mode}, which "
                                  f"the ansatz {unknown} with Fourier orders n ≤ {top} leaves out")
-        return {mode: rational(c) for mode, c in row.items() if c != 0}
+        return {mode: decimal(c) for mode, c in row.items() if c != 0}

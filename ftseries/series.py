@@ -22,13 +22,14 @@ a second look at an order costs a handful of products.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from flint import fmpq
 
 from .aliases import Exact, Function, Multiplier, Number, Term
-from .arguments import rational
+from .arguments import decimal
 from .errors import InputError
 
 if TYPE_CHECKING:
@@ -41,6 +42,12 @@ Operand: TypeAlias = "Series | Exact"
 
 #: orders from either end of a Cauchy sum that are summed anew after a change
 WINDOW = 3
+
+
+def _refusal(sentence: str) -> Callable[..., Any]:
+    def refuse(self: Series, *_: Any) -> Any:
+        raise InputError(sentence)
+    return refuse
 
 
 class Series:
@@ -78,14 +85,14 @@ class Series:
         return self._series(other) + -self
 
     def __mul__(self, other: Operand) -> Series:
-        return Product(self, other) if isinstance(other, Series) else Multiple(self, other)
+        return Product(self, other) if isinstance(other, Series) else Multiple(self, decimal(other))
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Operand) -> Series:
         if isinstance(other, Series):
             return self * other**-1
-        number = rational(other)
+        number = decimal(other)
         if number == 0:
             raise InputError("a series is divided by the number zero")
         return Multiple(self, 1 / number)
@@ -94,7 +101,7 @@ class Series:
         return self**-1 * other
 
     def __pow__(self, alpha: Exact) -> Series:
-        alpha = rational(alpha)
+        alpha = decimal(alpha)
         if alpha.q == 1 and alpha > 0:
             if alpha == 1:
                 return self
@@ -110,7 +117,7 @@ class Series:
 
     def shift(self, fraction: Exact) -> Series:
         """The series at τ + 2π·fraction, for a rational fraction of a period."""
-        fraction = rational(fraction)
+        fraction = decimal(fraction)
         return ModeMultiple(self, lambda n, ring: ring.turn(fraction * n))
 
     def neighbours(self, bodies: int = 3) -> Series:
@@ -137,6 +144,17 @@ class Series:
 
     def _series(self, x: Operand) -> Series:
         return x if isinstance(x, Series) else self.expansion.constant(x)
+
+    # What Python offers to numbers, and a series cannot be asked.
+    __xor__ = __rxor__ = _refusal("^ is no power in Python; write x**3")
+    __abs__ = _refusal("|x| has no Fourier-Taylor series; write a formula that is analytic, such "
+                       "as x**2")
+    __lt__ = __le__ = __gt__ = __ge__ = _refusal(
+        "a series is neither large nor small, so equations cannot hold if, max or min of one; "
+        "write formulas that are analytic")
+    __float__ = __complex__ = _sympy_ = _refusal(
+        "functions of math and SymPy do not know series; use ftseries.sin, ftseries.cos, "
+        "ftseries.exp, and powers such as x**Fraction(1, 2)")
 
 
 @cache

@@ -84,6 +84,7 @@ def solve(problem: Problem, order: int, arithmetic: str = "exact", precision: in
                          "arithmetic='exact' can carry; give it a value in "
                          f"{type(problem).__name__}")
     seed = problem.first_coefficients()
+    problem.check_time()
     _check_memory(problem, order, arithmetic, precision)
     ring: Ring = _exact_ring(problem)
     known = _converted(seed, ring)

@@ -18,7 +18,7 @@ from typing import Any
 import sympy as sp
 
 from ..aliases import Function, Json
-from ..arguments import rational
+from ..arguments import decimal
 from ..errors import InputError
 from ..problem import Field, Problem, Scalar
 
@@ -53,7 +53,7 @@ class GeneralizedMathieu(Problem):
             self.mu, self.parameters = None, ("mu",)
         else:
             try:
-                self.mu = rational(mu)
+                self.mu = decimal(mu)
             except InputError:
                 raise InputError(f"mu={mu!r} is not a finite rational or float number; leave it "
                                  "out to keep it as a symbol") from None
@@ -67,9 +67,9 @@ class GeneralizedMathieu(Problem):
         self.ahead = max(n - 1, 0)
 
     def equations(  # type: ignore[override]     # the unknowns by name
-            self, lam: Function, psi: Function, a: Function) -> dict[str, Function]:
-        x = lam.expansion
-        mu = x.parameter("mu") if self.mu is None else self.mu
+            self, lam: Function, psi: Function, a: Function, mu: Any = None
+    ) -> dict[str, Function]:
+        x, mu = lam.expansion, self.mu if mu is None else mu
         potential = -a + lam**2 * x.cos(2) + lam**4 * mu * x.cos(4)
         return {"(M1)": psi.diff(2) - potential * psi}
 

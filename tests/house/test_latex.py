@@ -8,6 +8,8 @@ from docutils.utils import new_document
 from ftbook import latex
 from ftbook.fallback import IMAGE, WIDGET
 from sphinx import addnodes
+from sphinx.builders.latex.nodes import thebibliography
+from sphinx_exercise.nodes import exercise_node, solution_node
 
 
 def app(**numbers):
@@ -49,14 +51,49 @@ def test_what_a_cell_prints_fits_the_line():
     assert formula.astext() == r"\ftfit{\begin{split}x = 1\end{split}}"
 
 
-def test_exercises_are_referred_to_by_their_number():
+def test_links_to_exercises_lead_to_their_labels():
     book_app = app()
     book_app.env.sphinx_exercise_registry = {"ex-a": {}}
     links = [addnodes.number_reference("", "1.2", refuri="%book/a#ex-a"),
+             nodes.reference("", "", nodes.emphasis("", "A title"), refid="ex-a"),
              addnodes.number_reference("", "1.3", refuri="%book/a#fig-a")]
     paragraph = nodes.paragraph("", "", *links)
     latex.prepare(book_app, book(paragraph), "book/preface")
-    assert paragraph[0].astext() == r"\hyperref[exercise:ex-a]{1.2}" and paragraph[1] is links[1]
+    assert paragraph.astext() == (
+        r"\hyperref[exercise:ex-a]{1.2}\hyperref[exercise:ex-a]{A title}1.3")
+    assert paragraph[-1] is links[-1]
+
+
+def test_proofs_stand_without_a_box():
+    text = nodes.paragraph("", "Proof. Let x = 1. Then", nodes.math("", "x"))
+    proof = nodes.container("", nodes.admonition("", text, classes=["proof"]))
+    latex.prepare(app(), book(proof), "book/preface")
+    assert [type(node).__name__ for node in proof] == ["paragraph", "raw"]
+    assert proof[0][0].astext() == "Proof. " and isinstance(proof[0][0], nodes.emphasis)
+    assert proof[0].astext().startswith("Proof. Let x = 1. Then")
+
+
+def test_solutions_stand_without_a_box_and_exercises_with_their_first_lines():
+    code = nodes.literal_block("", "1 + 1")
+    solution = solution_node("", nodes.title("", "Solution to ", nodes.math("", "x")),
+                             nodes.section("", code), label="s")
+    exercise = exercise_node("", nodes.title("", "Exercise"), label="e")
+    part = nodes.container("", exercise, solution)
+    latex.prepare(app(), book(part), "book/preface")
+    assert [type(node).__name__ for node in part] == [
+        "raw", "exercise_node", "raw", "paragraph", "literal_block", "raw"]
+    assert "needspace" in part[0].astext() and "needspace" in part[2].astext()
+    assert part[3].astext() == "Solution to x" and part[4] is code
+
+
+def test_the_bibliography_stands_in_its_place():
+    entries = thebibliography()
+    page = addnodes.start_of_file("", nodes.section("", nodes.title("", "References")),
+                                  docname="book/references")
+    document = book(page, entries)
+    latex.prepare(app(), document, "book/preface")
+    assert page[-1] is entries and document[-1] is page
+    assert "book/references::doc" in page[1].astext()
 
 
 def test_chapters_are_numbered_as_on_the_pages():

@@ -2,6 +2,7 @@ r"""The book on paper: what LaTeX needs besides what Sphinx gives it.
 
 Formulas keep the tags of the paper, chapters, figures and exercises have the numbers that they have
 on the pages, figures leave room for text, and an explorer is a picture with a link to its page.
+Proofs and solutions stand without a box, so that what they hold can go on over the page.
 """
 
 import re
@@ -9,6 +10,8 @@ import unicodedata
 
 from docutils import nodes
 from sphinx import addnodes
+from sphinx.builders.latex.nodes import thebibliography
+from sphinx_exercise.nodes import is_exercise_node, solution_node
 
 from ftbook import site
 from ftbook.fallback import IMAGE, WIDGET
@@ -53,7 +56,14 @@ def prepare(app, document, docname):
     if app.builder.format != "latex":
         return
     preface = document.next_node(nodes.section)
-    preface.insert(1, nodes.raw("", r"\ftpreface{Preface}", format="latex"))
+    preface.insert(1, _raw(r"\ftpreface{Preface}"))
+    _place_bibliography(document)
+    for proof in [box for box in document.findall(nodes.admonition) if "proof" in box["classes"]]:
+        _unbox_proof(proof)
+    for solution in list(document.findall(solution_node)):
+        _unbox_solution(solution)
+    for exercise in list(document.findall(is_exercise_node)):
+        exercise.parent.insert(exercise.parent.index(exercise), _needs(7))
     for formula in [*document.findall(nodes.math), *document.findall(nodes.math_block)]:
         _set_bars(formula)
     for formula in document.findall(nodes.math_block):
@@ -62,21 +72,55 @@ def prepare(app, document, docname):
         if output.get("nb_element") == "cell_code_output":
             for formula in output.findall(nodes.math_block):
                 _fit(formula)
-    for number in list(document.findall(addnodes.number_reference)):
-        _name_exercise(number, getattr(app.env, "sphinx_exercise_registry", {}))
+    for link in list(document.findall(nodes.reference)):
+        _link_exercise(link, getattr(app.env, "sphinx_exercise_registry", {}))
     for image in document.findall(nodes.image):
         image.setdefault("width", WIDTH)
     for file in document.findall(addnodes.start_of_file):
         depth = NUMBERED if app.env.toc_secnumbers.get(file["docname"], {}).get("") else PLAIN
-        file.insert(0, nodes.raw("", rf"\setcounter{{secnumdepth}}{{{depth}}}", format="latex"))
+        file.insert(0, _raw(rf"\setcounter{{secnumdepth}}{{{depth}}}"))
 
 
-def _name_exercise(number, exercises):
-    """sphinx-exercise gives LaTeX another label than the one that Sphinx refers to by number."""
-    label = number.get("refid") or number.get("refuri", "").partition("#")[2]
+def _raw(code):
+    return nodes.raw("", code, format="latex")
+
+
+def _place_bibliography(document):
+    """Sphinx puts it at the end of the book, and leaves an empty page in its place."""
+    for entries in list(document.findall(thebibliography)):
+        for file in document.findall(addnodes.start_of_file):
+            if file["docname"].endswith("references"):
+                entries.parent.remove(entries)
+                file[:] = [_raw(rf"\phantomsection\label{{{file['docname']}::doc}}"), entries]
+
+
+def _unbox_proof(box):
+    """*Proof.* and an end mark instead of a box without a title."""
+    text = box.next_node(nodes.Text)
+    word, dot, rest = text.partition(". ")
+    text.parent.replace(text, [nodes.emphasis("", word + dot), nodes.Text(rest)])
+    box.replace_self([*box.children, _raw(r"\ftqed")])
+
+
+def _unbox_solution(box):
+    """A heading, and what was in the box."""
+    for section in list(box.findall(nodes.section)):
+        section.replace_self(section.children)
+    title, *parts = box.children
+    heading = nodes.paragraph("", "", nodes.strong("", "", *title.children))
+    box.replace_self([_needs(4), heading, *parts, _raw(r"\bigskip")])
+
+
+def _needs(lines):
+    """A new page, unless there is room for so many lines."""
+    return _raw(f"\n\\par\\needspace{{{lines}\\baselineskip}}\n")
+
+
+def _link_exercise(link, exercises):
+    """sphinx-exercise gives LaTeX another label than the one that Sphinx refers to."""
+    label = link.get("refid") or link.get("refuri", "").partition("#")[2]
     if label in exercises:
-        link = rf"\hyperref[exercise:{label}]{{{number.astext()}}}"
-        number.replace_self(nodes.raw("", link, format="latex"))
+        link.replace_self([_raw(rf"\hyperref[exercise:{label}]{{"), *link.children, _raw("}")])
 
 
 def _set_bars(formula):

@@ -1,0 +1,108 @@
+r"""Why there are no first steps: what a refusal can say about the motions near rest.
+
+Formula.  With u = u_0 + ε a e^{st}, λ = 0, the terms of order ε are M(s) a.  The *rates* s with
+det M(s) = 0 say what free motions near the state of rest u_0 do; only a pair s = ±iω oscillates.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from .aliases import Expr
+from .problem import Scalar
+
+if TYPE_CHECKING:
+    from .symbolic import Equations
+
+__all__ = ["rates", "free_motions", "forced_motion"]
+
+#: a state of rest, field to value
+State = dict[str, Expr]
+
+#: below this the real or imaginary part of a computed rate counts as zero
+_SMALL = 1e-6
+
+
+def rates(problem: Equations, state: State) -> list[complex] | None:
+    """The rates s of the free motions near a state of rest; None where M(s) gives no polynomial.
+
+    Free parameters count 1.
+    """
+    t, s, small = sp.Symbol(problem.variable), sp.Dummy("s"), sp.Dummy("small")
+    sizes = {name: sp.Dummy(name) for name in problem.language.fields}
+    at_rest = {sp.Symbol(problem.language.lam): 0} | {
+        sp.Symbol(name): 1 for name in problem.parameters}
+    rows = []
+    for e in problem.expressions.values():
+        e = e.replace(lambda f: isinstance(f, AppliedUndef), lambda f: state.get(
+            f.func.__name__, 0) + small * sizes[f.func.__name__] * sp.exp(s * f.args[0]))
+        linear = sp.diff(e.subs(at_rest).doit(), small).subs(small, 0)
+        rows.append([sp.expand(sp.diff(linear, a) * sp.exp(-s * t)) for a in sizes.values()])
+    matrix = sp.Matrix(rows)
+    if matrix.rows != matrix.cols:
+        return None
+    polynomial = sp.expand(matrix.det())
+    if polynomial.free_symbols != {s} or not polynomial.is_polynomial(s):
+        return None
+    return [complex(root) for root in sp.Poly(polynomial, s).nroots(n=15, maxsteps=200)]
+
+
+def free_motions(problem: Equations, states: list[State]) -> str | None:
+    """Why nothing oscillates near the states of rest; None where something does."""
+    found = [(state, rates(problem, state)) for state in states]
+    for state, roots in found:
+        if roots is None or any(abs(r.real) < _SMALL < abs(r.imag) for r in roots):
+            return None
+    state, roots = max(found, key=lambda f: max((r.real for r in f[1]), default=0))
+    where = ", ".join(f"{name} = {value}" for name, value in state.items())
+    shown = " and ".join(_written(r) for r in roots)
+    if problem.parameters:
+        shown += f" where {' = '.join(problem.parameters)} = 1"
+    most = max((r.real for r in roots), default=0.0)
+    if all(abs(r) < _SMALL for r in roots):
+        return (f"the equations have no linear force at the state of rest {where}, so the frequency "
+                "tends to 0 with the amplitude and no series begins there; add a linear term, such "
+                "as x in x'' + x + x**3, or expand about another state of rest")
+    if most < _SMALL:
+        return (f"a damped free motion has no periodic solution: near the state of rest {where} "
+                f"motions behave as exp(s*t) with s = {shown}; leave the damping out, or add a "
+                "forcing such as lam*cos(t) and take the frequency away")
+    if any(r.real > _SMALL and abs(r.imag) > _SMALL for r in roots):
+        return (f"the state of rest {where} is unstable: motions grow as exp(s*t) with s = {shown}, "
+                "and a limit cycle of finite size is not near rest; scale the unknown so that "
+                "λ, the size of the cycle, is in the equations: (lam**2 - x**2)*x' in place of "
+                "eps*(1 - x**2)*x', where eps = lam**2")
+    return (f"the state of rest {where} is unstable (a saddle): motions near it behave as exp(s*t) "
+            f"with s = {shown}, and none oscillates; expand about another state of rest, with an "
+            "ansatz that contains it (modes='all', powers='all') or a seed")
+
+
+def forced_motion(problem: Equations, states: list[State]) -> str | None:
+    """Why a forced motion does not follow its forcing; None where it may."""
+    amplitudes = [name for name, u in problem.unknowns.items() if getattr(u, "fixed", ())]
+    if problem.frequency is None and not any(isinstance(u, Scalar)
+                                             for u in problem.unknowns.values()):
+        if not problem.forcing:
+            return ("without an unknown frequency every motion would have the period 2*pi; declare "
+                    "one, such as \"omega\": Scalar() with frequency=\"omega\"")
+        if amplitudes:
+            lam = problem.language.lam
+            return (f"the forcing determines the amplitude, but 'fixed' of {', '.join(amplitudes)} "
+                    f"fixes it as well; leave out 'fixed': {lam} is the strength of the forcing")
+        for state in states:
+            for n in sorted({n for _, n in problem.forcing}):
+                if any(abs(r - 1j * n) < _SMALL for r in rates(problem, state) or ()):
+                    return (f"a resonance: the forcing has the frequency {n} of a free motion, "
+                            "which it drives without bound; let the forcing begin at a higher power "
+                            "of λ where the equations have non-linear terms, as in "
+                            "x'' + x + x**3 = lam**3*cos(t), or let the frequency be unknown")
+    return None
+
+
+def _written(rate: complex) -> str:
+    parts = [0.0 if abs(p) < _SMALL else p for p in (rate.real, rate.imag)]
+    return f"{parts[0]:.3g}" if not parts[1] else f"{parts[1]:.3g}i" if not parts[0] else \
+        f"{parts[0]:.3g}{parts[1]:+.3g}i"
