@@ -12,6 +12,7 @@ LOCKED ?= -c requirements.lock
 BIN    := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 READY  := $(VENV)/.ready
 BOOK   := $(BIN)/jupyter-book build -W -n --keep-going .
+FAILED := echo "The build stopped. Above, WARNING or ERROR names the page and the cause."; exit 1
 PYTEST := $(BIN)/python -m pytest
 
 # Two notebooks run side by side: one thread each is faster than two that compete.
@@ -21,12 +22,13 @@ export MKL_NUM_THREADS      ?= 1
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .NOTPARALLEL:
-.PHONY: help book test style unit notebooks-tested strict-book browser-tested notebooks lock clean
+.PHONY: help book lab test style unit notebooks-tested strict-book browser-tested notebooks lock clean
 .PHONY: coverage mutants oldest bench bench-book
 .PHONY: slides student pdf figures site debian-latex linkcheck lint-workflows newest dist
 
 help:
 	@echo "make book       build the book; prints where to open it"
+	@echo "make lab        open the notebooks in JupyterLab"
 	@echo "make test       run everything: style, tests, doctests, notebooks, strict book, browser"
 	@echo "make browser-tested  the last of these alone (needs Chromium and the built book)"
 	@echo
@@ -37,8 +39,8 @@ help:
 	@echo "make site       all that is published: pages, slides, PDF, figures"
 	@echo
 	@echo "make notebooks  execute all notebooks and store their outputs in normal form"
-	@echo "make coverage   the lines of the core that no test runs: none"
-	@echo "make mutants    change the core in many places; the tests should notice"
+	@echo "make coverage   refuse if there is a line of the core that no test runs"
+	@echo "make mutants    change copies of the core in many places; the tests should notice"
 	@echo "make oldest     the tests with the oldest versions that pyproject.toml allows"
 	@echo "make bench      measure this package and its peers, and renew the chapter on it"
 	@echo "make bench-book measure the builds and the tests of the book"
@@ -47,7 +49,7 @@ help:
 	@echo "make linkcheck  ask every link of the book whether it still leads somewhere"
 	@echo "make lint-workflows  check the workflows of GitHub (needs npm)"
 	@echo "make dist       the package as it goes to PyPI"
-	@echo "make clean      delete what the other targets made"
+	@echo "make clean      delete what the other targets made, $(VENV) and _build among it"
 	@echo
 	@echo "PYTHON=python3.12 chooses the interpreter, JOBS=4 the number of test processes."
 
@@ -56,22 +58,25 @@ help:
 $(READY): requirements.lock pyproject.toml
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	{ echo "Python 3.11 or later is needed: try make PYTHON=python3.12"; exit 1; }
-	@echo "==> installing the package and its tools into $(VENV)"
+	@echo "==> installing the package and its tools into $(VENV): about 1 GB, some minutes"
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install $(LOCKED) -e ".[$(EXTRAS)]"
+	$(BIN)/python -m pip install --quiet $(LOCKED) -e ".[$(EXTRAS)]"
 	@touch $@
 
 # --- the book ---------------------------------------------------------------------------------
 
 # A build that failed must not leave half of itself: the next one would not see the warnings.
 book: $(READY)
-	@echo "==> building the book (the first time, every notebook is executed)"
-	@$(BOOK) || { rm -rf _build/.doctrees; exit 1; }
+	@echo "==> building the book (the first time every notebook is executed: some minutes)"
+	@$(BOOK) || { rm -rf _build/.doctrees; $(FAILED); }
 	@echo
 	@echo "The book is built. Open it in a browser:"
 	@echo "    file://$(CURDIR)/_build/html/index.html"
 	@echo "or serve it:"
 	@echo "    $(BIN)/python -m http.server --directory _build/html"
+
+lab: $(READY)
+	$(BIN)/jupyter lab book
 
 # The decks are cut from the pages, in the same build.
 slides: book
@@ -90,7 +95,7 @@ pdf: $(READY)
 	@command -v latexmk xelatex >/dev/null || \
 	{ echo "make pdf needs LaTeX; on Debian: apt install $(LATEX)"; exit 1; }
 	@echo "==> the book on paper"
-	@$(BOOK) --builder latex || { rm -rf _build/.doctrees; exit 1; }
+	@$(BOOK) --builder latex || { rm -rf _build/.doctrees; $(FAILED); }
 	cd _build/latex && latexmk -xelatex -interaction=nonstopmode -halt-on-error -quiet \
 	fourier-taylor-series.tex
 	@echo "The book is in _build/latex/fourier-taylor-series.pdf"
@@ -105,10 +110,12 @@ figures: $(READY)
 	@echo "==> every figure as SVG and PNG"
 	$(BIN)/python tools/draw_figures.py
 
-site: pdf figures book
-	rm -rf _build/html/download && mkdir _build/html/download
-	cp _build/latex/fourier-taylor-series.pdf _build/html/download
-	$(BIN)/python -m zipfile -c _build/html/download/figures.zip _build/figures
+# The pages link what is in _build/download.
+site: pdf figures
+	rm -rf _build/download && mkdir _build/download
+	cp _build/latex/fourier-taylor-series.pdf _build/download
+	$(BIN)/python -m zipfile -c _build/download/figures.zip _build/figures
+	$(MAKE) book
 
 # --- the tests --------------------------------------------------------------------------------
 

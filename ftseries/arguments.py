@@ -16,7 +16,7 @@ from mpmath.libmp import (from_float, from_str, repr_dps, round_nearest, to_floa
 from .aliases import Array, Exact
 from .errors import InputError
 
-__all__ = ["decimal", "rational", "real", "scalar", "scalars", "whole"]
+__all__ = ["decimal", "labelled", "rational", "real", "scalar", "scalars", "whole"]
 
 
 def decimal(x: Exact) -> fmpq:
@@ -66,6 +66,8 @@ def real(name: str, value: Any) -> Array:
     array([0., 1.])
     """
     try:
+        if np.asarray(value).dtype == bool:
+            raise TypeError
         array = np.asarray(value, dtype=float)
     except (TypeError, ValueError):
         raise InputError(f"{name}={value!r} is not a real number or an array of them") from None
@@ -105,3 +107,15 @@ def whole(name: str, value: Any, least: int = 0, most: int | None = None) -> int
         room = f"of at least {least}" if most is None else f"from {least} to {most}"
         raise InputError(f"{name}={value!r}: give a whole number {room}")
     return number
+
+
+def labelled(name: str, value: Any) -> Mapping[Any, Any]:
+    """``value`` as a mapping from labels, as pictures take it.
+
+    >>> labelled("curves", {"sine": [0, 1]})
+    {'sine': [0, 1]}
+    """
+    if not isinstance(value, Mapping):
+        raise InputError(f"{name} is of type {type(value).__name__}; give a dict from each label "
+                         f"to what is drawn, such as {name}={{'series': …}}")
+    return value

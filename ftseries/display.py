@@ -8,6 +8,7 @@ import sympy as sp
 
 from .aliases import Expr, Mode
 from .arguments import whole
+from .evaluation import unknown
 from .problem import Scalar
 
 if TYPE_CHECKING:
@@ -26,8 +27,7 @@ def to_latex(solution: Solution, name: str, order: int) -> str:
     '\\omega = 2 \\sqrt{3} - \\frac{\\sqrt{3}}{24} \\lambda^{2} + \\mathcal{O}(\\lambda^{4})'
     """
     order = whole("order", order, most=solution.order)
-    unknown = solution._unknown(name)
-    scalar = isinstance(unknown, Scalar)
+    scalar = isinstance(unknown(solution.problem, name), Scalar)
     by_mode: dict[Mode, list[tuple[int, Expr]]] = {}
     for m, row in enumerate(solution.coefficients[name][:order + 1]):
         for mode, number in row.items():

@@ -3,7 +3,8 @@ r"""The first steps by hand, done by machine.
 The first coefficients of a non-linear problem obey polynomial equations, such as (C6) of the
 paper, with several solutions.  Here they are unknown symbols (fields up to order 1, scalars at
 order 0), run through the problem's own equations as parameters of a polynomial ring; the equations
-of order 0, 1, 2, … that contain no later coefficient are solved one order after the other.
+of order 0, 1, 2, … that contain no later coefficient are solved one order after the other, as far
+as :mod:`ftseries.roots` goes.  Equations that are not polynomial are solved about rest at 0.
 Solutions without oscillation are left out, and those that depend on a free parameter, because
 coefficients are to be polynomials in it.  Of two that become each other by τ to -τ with ω to -ω,
 or by τ to τ + π, the one with positive frequency or leading amplitude is kept.
@@ -12,6 +13,7 @@ or by τ to τ + π, the one with positive frequency or leading amplitude is kep
 from __future__ import annotations
 
 from collections.abc import Container
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -19,13 +21,21 @@ import sympy as sp
 
 from .aliases import Expr, Mode
 from .conversion import to_sympy
-from .errors import ContradictionError, InputError, NonAnalyticError, UndeterminedError
+from .errors import (
+    ContradictionError,
+    FTSeriesError,
+    InputError,
+    NonAnalyticError,
+    UndeterminedError,
+)
 from .expansion import Expansion
 from .laurent import PolynomialRing, SurdRing
-from .problem import Scalar
+from .problem import Field, Scalar
+from .reasons import forced_motion, free_motions
+from .roots import Roots, vanishes
+from .stages import LATEST
 
 if TYPE_CHECKING:
-    from .problem import Field
     from .symbolic import Equations
 
 __all__ = ["first_steps"]
@@ -34,72 +44,169 @@ __all__ = ["first_steps"]
 Symbols: TypeAlias = dict[tuple[str, Mode, int], Expr]
 Known: TypeAlias = dict[Expr, Expr]
 
-#: orders 0 … 3 are compared: an energy integral begins at 2, an amplitude may be settled at 3
+#: orders 0 … 3 are compared: an energy integral begins at 2, an amplitude may be settled at 3;
+#: while something is free more of them
 _ORDERS = 4
+_MOST = LATEST + 2
 
 
-def first_steps(problem: Equations, choice: int | None = None) -> dict[str, Expr]:
-    """The seed of a problem, ``{name: SymPy expression in λ and the modes}``.
+def first_steps(problem: Equations) -> list[dict[str, Expr]]:
+    """The seeds of a problem, each ``{name: SymPy expression in λ and the modes}``.
 
     Parameters
     ----------
     problem : Equations
         Without a seed.
-    choice : int, optional
-        Which of several solutions to take.
 
     Raises
     ------
     InputError
-        Several solutions without ``choice``, which the message shows; steps that are not
-        polynomial.
+        Steps that are not polynomial, or have too many solutions.
     UndeterminedError, ContradictionError
         Infinitely many solutions; none.
     """
+    names = ", ".join(problem.unknowns)
     amplitudes = [f"{name} at {n}" for name, u in problem.unknowns.items()
                   for n in getattr(u, "fixed", ()) if not isinstance(n, tuple)]
     if len(amplitudes) > 1:
         raise InputError(f"several amplitudes are fixed ({', '.join(amplitudes)}), and only one "
-                         f"can be λ; give a seed for {', '.join(problem.unknowns)}")
-    symbols = _symbols(problem)
-    low = {s for (name, _, m), s in symbols.items() if _is_low(problem, name, m)}
-    branches: list[Known] = [{}]
+                         f"can be λ; give a seed for {names}")
+    search = _Search(problem)
     try:
-        for order in range(_ORDERS):
-            branches = [found for known in branches
-                        for found in _extend(problem, symbols, low, known, order)]
-            if not branches:
-                raise ContradictionError(
-                    f"no first coefficients satisfy {', '.join(problem.expressions)} at order "
-                    f"{order} of λ: a resonance, or an ansatz without the symmetry or the Fourier "
-                    "orders of the motion; change the equations or the ansatz")
+        solutions = search.run()
     except (NonAnalyticError, InputError, NotImplementedError) as error:
-        terms = f"{', '.join(problem.delicate)} is not polynomial" if problem.delicate else error
-        raise InputError(f"the first steps cannot be solved automatically ({terms}); give a seed "
-                         f"for {', '.join(problem.unknowns)}") from None
-    solutions = _distinct(problem, symbols, branches)
-    free = {s for known in solutions for s in low if s not in known}
+        terms = problem.delicate
+        verb = "are" if len(terms) > 1 else "is"
+        why = f"{', '.join(terms)} {verb} not polynomial" if terms else str(error)
+        raise InputError(f"the first steps cannot be solved automatically ({why}); give a seed "
+                         f"for {names}") from None
+    if not solutions:
+        failed = "the first equations have only solutions at rest within the ansatz" \
+            if search.failed is None else (f"no first coefficients satisfy "
+                                           f"{', '.join(problem.expressions)} at order "
+                                           f"{search.failed} of λ")
+        raise ContradictionError(f"{failed}: {search.reason()}")
+    free = {s for known in solutions for s in search.low if s not in known}
     if free:
         labels = [_label(name, mode, m, problem.unknowns[name])
-                  for (name, mode, m), s in symbols.items() if s in free]
+                  for (name, mode, m), s in search.symbols.items() if s in free]
         raise UndeterminedError(
             f"the first equations leave {' and '.join(labels)} free, so λ has no concrete meaning "
-            f"yet; fix an amplitude or a phase ('fixed' in a Field), or give a seed for "
-            f"{', '.join(problem.unknowns)}")
-    if not solutions:
-        raise ContradictionError(
-            "the first equations have only solutions at rest within the ansatz; change it, or "
-            f"give a seed for {', '.join(problem.unknowns)}")
-    seeds = [_seed(problem, symbols, known) for known in solutions]
-    if len(seeds) > 1 and choice is None:
-        shown = "; ".join(f"choice={i}: " + ", ".join(f"{n} = {e}" for n, e in seed.items())
-                          for i, seed in enumerate(seeds))
-        raise InputError(f"the first steps have {len(seeds)} solutions, select one of them: "
-                         f"{shown}")
-    if choice is not None and choice not in range(len(seeds)):
-        raise InputError(f"choice={choice!r}: the number of solutions of the first steps is "
-                         f"{len(seeds)}, counted from 0")
-    return seeds[choice or 0]
+            f"yet; fix an amplitude or a phase ('fixed' in a Field), or give a seed for {names}")
+    solutions.sort(key=partial(_size, frequency=search.frequency))
+    return [_seed(problem, search.symbols, known) for known in solutions]
+
+
+class _Search:
+    """The search for the first coefficients, and what it met on the way."""
+
+    def __init__(self, problem: Equations) -> None:
+        self.problem, self.symbols, self.roots = problem, _symbols(problem), Roots()
+        self.low = {s for (name, _, m), s in self.symbols.items() if _is_low(problem, name, m)}
+        self.frequency = self.symbols.get((problem.frequency or "", (0, 0), 0))
+        #: the states of rest, the order that fails, and what depends on a parameter
+        self.states: list[Known] = []
+        self.failed: int | None = None
+        self.dependent: list[tuple[Expr, Expr]] = []
+
+    def run(self) -> list[Known]:
+        """The solutions that oscillate."""
+        branches: list[Known] = [{}]
+        for order in range(_MOST):
+            if order >= _ORDERS and all(self.low <= set(known) for known in branches):
+                break
+            branches = self.extended(branches, order)
+            if order == 0:
+                self.states = branches
+            if not branches:
+                self.failed = order
+                return []
+        return _distinct(self.problem, self.symbols, branches)
+
+    def extended(self, branches: list[Known], order: int) -> list[Known]:
+        try:
+            return [found for known in branches for found in self.extend(known, order)]
+        except (NonAnalyticError, InputError):
+            if order or not self.problem.delicate:
+                raise
+        rest = {s: sp.S.Zero for (name, _, m), s in self.symbols.items()
+                if m == 0 and not isinstance(self.problem.unknowns[name], Scalar)}
+        found = self.extend(rest, order)
+        if not found:
+            raise InputError("rest at 0 does not satisfy them")
+        return found
+
+    def extend(self, known: Known, order: int) -> list[Known]:
+        """All ways to satisfy the equations of one order, as extensions of ``known``."""
+        parameters = {sp.Symbol(name) for name in self.problem.parameters}
+        equations = [e for e in _residual(self.problem, self.symbols, known, order)
+                     if e.free_symbols <= self.low | parameters]
+        unknown = sorted(set().union(*(e.free_symbols for e in equations)) - set(known)
+                         - parameters, key=str)
+        if not unknown:
+            return [known] if all(map(vanishes, equations)) else []
+        solutions = self.roots.solve(equations, unknown)
+        kept = []
+        for solution in solutions:
+            dependent = [(s, v) for s, v in solution.items() if v.free_symbols & parameters]
+            if all(self.follows(s, v) and len(solutions) == 1 for s, v in dependent):
+                kept.append(known | solution)
+            else:
+                self.dependent += dependent
+        return kept
+
+    def follows(self, s: Expr, value: Expr) -> bool:
+        """Is this the amplitude of a forced motion, a polynomial in the parameters?"""
+        return value.is_polynomial(*value.free_symbols) and any(
+            m == 1 for (_, _, m), other in self.symbols.items() if other == s)
+
+    def reason(self) -> str:
+        """Why there is no solution, and the way out."""
+        problem = self.problem
+        if self.dependent:
+            s, value = self.dependent[0]
+            name, mode, m = next(key for key, other in self.symbols.items() if other == s)
+            letters = sorted(x.name for x in value.free_symbols if x.name in problem.parameters)
+            return (f"{' and '.join(letters)} needs a value, because "
+                    f"{_label(name, mode, m, problem.unknowns[name])} would be {value}, and "
+                    f"coefficients are polynomials in a parameter; give it in "
+                    f"parameters={{{letters[0]!r}: 2}}, for example")
+        if self.failed == 0:
+            polynomials = ", ".join(map(str, self.roots.left))
+            return (f"the states of rest are roots of {polynomials}, which are no square roots"
+                    if polynomials else "there is no state of rest in the ansatz") + \
+                "; change the numbers in the equations or the ansatz, or give a seed for " + \
+                ", ".join(problem.unknowns)
+        states = [{name: known.get(self.symbols.get((name, (0, 0), 0), sp.S.Zero), sp.S.Zero)
+                   for name in problem.language.fields} for known in self.states]
+        return (forced_motion(problem, states) or _wider(problem) or free_motions(problem, states)
+                or "the ansatz may lack the symmetry or the Fourier orders of the motion; change "
+                   "the equations or the ansatz, or give a seed for " + ", ".join(problem.unknowns))
+
+
+def _wider(problem: Equations) -> str | None:
+    """The ansatz that would do, where a wider one does."""
+    both = {"modes": "all", "powers": "all"}
+    choices = [({"modes": "all"}, Field), ({"powers": "all"}, Field), ({"series": "both"}, Field),
+               (both, Field), (both | {"series": "both"}, Field), ({"powers": "all"}, Scalar)]
+    for changes, kind in choices:
+        other = object.__new__(type(problem))               # copy() would ask for the seed
+        vars(other).update(vars(problem))
+        other.unknowns = {name: replace(u, **changes) if isinstance(u, kind) else u
+                          for name, u in problem.unknowns.items()}
+        if other.unknowns == problem.unknowns:
+            continue
+        try:
+            if _Search(other).run():
+                wanted = ", ".join(
+                    f"give {name} " + " and ".join(
+                        f"{key}={value!r}" for key, value in changes.items()
+                        if getattr(problem.unknowns[name], key) != value)
+                    for name, u in other.unknowns.items() if u != problem.unknowns[name])
+                return f"the ansatz lacks modes or powers of the motion; {wanted}"
+        except FTSeriesError:
+            continue
+    return None
 
 
 def _symbols(problem: Equations) -> Symbols:
@@ -107,7 +214,7 @@ def _symbols(problem: Equations) -> Symbols:
     return {(name, mode, m): sp.Symbol(f"{name}_{'sc'[1 - mode[0]]}{mode[1]}_{m}"
                                        if not isinstance(unknown, Scalar) else f"{name}_{m}")
             for name, unknown in problem.unknowns.items()
-            for m in range(_ORDERS + 1) for mode in unknown.columns(m + problem.ahead)
+            for m in range(_MOST + 1) for mode in unknown.columns(m + problem.ahead)
             if problem.in_powers(name, m)}
 
 
@@ -121,25 +228,9 @@ def _is_low(problem: Equations, name: str, m: int) -> bool:
     return m == 0 or (m == 1 and not isinstance(problem.unknowns[name], Scalar))
 
 
-def _extend(problem: Equations, symbols: Symbols, low: set[Expr], known: Known,
-            order: int) -> list[Known]:
-    """All ways to satisfy the equations of one order, as extensions of ``known``."""
-    parameters = {sp.Symbol(name) for name in problem.parameters}
-    equations = [e for e in _residual(problem, symbols, known, order)
-                 if e.free_symbols <= low | parameters]
-    unknown = sorted(set().union(*(e.free_symbols for e in equations)) - set(known) - parameters,
-                     key=str)
-    if not unknown:
-        return [known] if not any(e != 0 for e in equations) else []
-    solutions = sp.solve(equations, unknown, dict=True)
-    return [known | {s: sp.simplify(v) for s, v in solution.items()} for solution in solutions
-            if not any(v.is_real is False or v.free_symbols & parameters
-                       for v in solution.values())]
-
-
 def _residual(problem: Equations, symbols: Symbols, known: Known, order: int) -> list[Expr]:
     """The residual's coefficients of one order as SymPy polynomials in what is not yet known."""
-    open_symbols = [s for s in symbols.values() if s not in known]
+    open_symbols = [s for (_, _, m), s in symbols.items() if m <= order and s not in known]
     irrational = {s: v for s, v in known.items() if not v.is_Rational}
     names = (*problem.parameters, *map(str, open_symbols), *map(str, irrational))
     ring = (SurdRing if problem.surd else PolynomialRing)(names)
@@ -173,10 +264,10 @@ def _fixed(problem: Equations, name: str, unknown: Field | Scalar, m: int) -> di
 def _distinct(problem: Equations, symbols: Symbols, solutions: list[Known]) -> list[Known]:
     """Without the motionless ones, and without those whose mirror image is kept."""
     given = any(_fixed(problem, name, u, 1) for name, u in problem.unknowns.items())
-    moving = [known for known in solutions if given or any(
-        known.get(s, s) != 0 for (name, mode, m), s in symbols.items()
-        if mode[1] and _is_low(problem, name, m))]
     frequency = symbols.get((problem.frequency or "", (0, 0), 0))
+    moving = [known for known in solutions if known.get(frequency) != 0 and (given or any(
+        known.get(s, s) != 0 for (name, mode, m), s in symbols.items()
+        if mode[1] and _is_low(problem, name, m)))]
     waves = {s: mode for (name, mode, m), s in symbols.items() if mode[1]}
     mirrors = ({s for s, (_, n) in waves.items() if n % 2},                    # τ to τ + π
                {s for s, (sine, _) in waves.items() if sine} | {frequency})    # τ to -τ
@@ -197,13 +288,21 @@ def _is_negative(known: Known, key: Container[Expr]) -> bool:
     return next((v.is_negative is True for s, v in known.items() if s in key and v != 0), False)
 
 
+def _size(known: Known, frequency: Expr | None) -> list[float]:
+    """What solutions are ordered by: the frequency, then the other numbers."""
+    values = [known.get(frequency, sp.S.Zero), *(known[s] for s in sorted(known, key=str))]
+    return [float(v) if not v.free_symbols else 0.0 for v in values]
+
+
 def _seed(problem: Equations, symbols: Symbols, known: Known) -> dict[str, Expr]:
     lam, t = sp.Symbol(problem.language.lam), sp.Symbol(problem.variable)
     omega = sp.Symbol(problem.frequency) if problem.frequency else 1
     seed = {}
     for name, unknown in problem.unknowns.items():
         total = sp.S.Zero
-        for m in (0,) if isinstance(unknown, Scalar) else (0, 1):
+        follows = any(known[s].free_symbols for (other, _, m), s in symbols.items()
+                      if other == name and m == 1 and s in known)       # the solver finds it
+        for m in (0,) if isinstance(unknown, Scalar) or follows else (0, 1):
             rows = {mode: known[s] for (other, mode, k), s in symbols.items()
                     if other == name and k == m} | _fixed(problem, name, unknown, m)
             for (sine, n), value in rows.items():

@@ -22,11 +22,11 @@ def write(path: FilePath, kind: str, data: dict[str, Json]) -> None:
     Raises
     ------
     FileError
-        The folder does not exist or cannot be written.
+        ``path`` is no path, or its folder does not exist or cannot be written.
     TypeError, ValueError
         The data are no plain JSON values.
     """
-    path = os.fspath(path)
+    path = _name(path)
     data = {"format": kind, "version": 1} | data
     text = json.dumps(data | {"sha256": digest(data)})
     temporary = f"{path}.{os.getpid()}.part"
@@ -54,7 +54,7 @@ def read(path: FilePath, kind: str, what: str, way_out: str) -> dict[str, Json]:
     FileError
         The file cannot be read, is of another kind, or is damaged.
     """
-    path = os.fspath(path)
+    path = _name(path)
     try:
         with open(path, encoding="utf-8") as file:
             data = json.load(file)
@@ -69,6 +69,14 @@ def read(path: FilePath, kind: str, what: str, way_out: str) -> dict[str, Json]:
     if data.pop("sha256", None) != digest(data):
         raise FileError(f"{path!r} is damaged: its contents do not match their checksum; {way_out}")
     return data
+
+
+def _name(path: FilePath) -> str:
+    try:
+        return os.fsdecode(path)
+    except TypeError:
+        raise FileError(f"{path!r} is not the name of a file; give a text such as 'solution.json' "
+                        "or a Path") from None
 
 
 def digest(data: Json) -> str:

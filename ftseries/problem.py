@@ -133,13 +133,14 @@ class Problem:
 
     def residuals(self, lam: Function, unknowns: Mapping[str, Function]) -> dict[str, Function]:
         """:meth:`equations` with the free parameters put in, checked to be a dict of functions."""
-        kind, takes = type(self).__name__, inspect.signature(self.equations)
-        values = {name: lam.expansion.parameter(name) for name in self.parameters
-                  if name in takes.parameters} | dict(unknowns)
+        kind = type(self).__name__
         form = ", ".join(["self", "lam", *unknowns, *self.parameters])
         try:
+            takes = inspect.signature(self.equations)
+            values = {name: lam.expansion.parameter(name) for name in self.parameters
+                      if name in takes.parameters} | dict(unknowns)
             takes.bind(lam, **values)
-        except TypeError:
+        except (TypeError, ValueError):
             raise InputError(f"the method equations of {kind} takes other arguments than λ and its "
                              f"unknowns; write def equations({form})") from None
         try:
@@ -178,7 +179,10 @@ class Problem:
         raise InputError(f"{type(self).__name__} has no condition that singles out a λ; give lam")
 
     def arguments(self) -> dict[str, Json]:
-        """What the constructor needs to make this problem again, as plain JSON values."""
+        """What the constructor needs to make this problem again, as plain JSON values.
+
+        A class whose constructor takes arguments defines it, such as ``return {"b": self.b}``.
+        """
         return {}
 
     def __repr__(self) -> str:

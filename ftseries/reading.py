@@ -8,8 +8,8 @@ r"""The language of equations: text, SymPy equations and expressions, read and w
 ``^`` and ``**``      powers
 ====================  =============================================
 
-Only names that were declared may occur, besides sin, cos, exp, sqrt, pi and diff.  A decimal is the
-fraction that it looks like.
+Only names that were declared may occur, besides sin, cos, exp, sqrt, pi and diff.  A decimal, and a
+float by its shortest decimal, is the fraction that it looks like.
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from .aliases import Expr
+from .arguments import decimal
 from .errors import InputError
 
 __all__ = ["Language", "name_of"]
@@ -32,6 +33,24 @@ _SAFE = (ast.Expression, ast.BinOp, ast.UnaryOp, ast.Constant, ast.Name, ast.Loa
          ast.operator, ast.unaryop)
 _FUNCTIONS = {"sin": sp.sin, "cos": sp.cos, "exp": sp.exp, "sqrt": sp.sqrt, "diff": sp.diff}
 _KNOWN = _FUNCTIONS | {"pi": sp.pi}
+#: how some other functions can be written, or why they cannot
+_INSTEAD = {"tan": "write sin(x)/cos(x)", "tanh": "write (exp(2*x) - 1)/(exp(2*x) + 1)",
+            "sinh": "write (exp(x) - exp(-x))/2", "cosh": "write (exp(x) + exp(-x))/2",
+            "log": "take y = log(1 + x) as the unknown, and write exp(y) - 1 for x",
+            "ln": "take y = ln(1 + x) as the unknown, and write exp(y) - 1 for x",
+            "abs": "|x| has a corner at 0, so that no series exists there",
+            "sign": "it jumps at 0, so that no series exists there"}
+#: what is often written where an expression cannot be read, and the advice
+_SLIPS = (
+    (r"[⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ]", "write powers with **, such as x**3"),
+    (r"[′″‴’”´`\"]", "write derivatives with the straight ', such as x''"),
+    (r"[−–—]", "write the sign -"),
+    (r"[·×⋅∙÷]", "write products with * and quotients with /"),
+    (r"\blambda\b", "λ is written {lam}"),
+    (r"(?<![\w.])\d+\.?\d*\s*(?!e[-+]?\d)[^\W\d]\w*", "write products with *, such as 2*x"),
+    (r"\b(sin|cos|exp|sqrt)\s+\w+", "write functions with brackets, such as sin(x)"),
+    (r"\w\s+\w+", "write products with *, such as a*x"),
+)
 
 
 def name_of(key: Any) -> str:
@@ -74,7 +93,7 @@ class Language:
     values: dict[str, Expr] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        names = [self.time, self.lam, *self.fields, *self.scalars, *self.parameters]
+        names = [self.time, self.lam, *self.fields, *self.scalars, *self.parameters, *self.values]
         twice = sorted({name for name in names if names.count(name) > 1})
         if twice:
             raise InputError(f"{', '.join(twice)} is declared twice; each unknown, each "
@@ -132,24 +151,34 @@ class Language:
         """The expression in this language's symbols, decimals as fractions, values put in."""
         symbols = self.symbols | {name: sp.sympify(v) for name, v in self.values.items()}
         e = e.subs({s: symbols[s.name] for s in e.free_symbols if s.name in symbols})
-        return e.xreplace({x: sp.Rational(str(x)) for x in e.atoms(sp.Float)}).doit()
+        decimals = {x: decimal(x) for x in e.atoms(sp.Float)}
+        return e.xreplace({x: sp.Rational(int(q.p), int(q.q)) for x, q in decimals.items()}).doit()
 
     def _read(self, text: str, whole: str) -> Expr:
         """One side of an equation given as text."""
         source = self._with_time(text.replace("^", "**").strip(), whole)
+        for name, primes in re.findall(r"([^\W\d]\w*)\s*('+)", source):
+            raise InputError(f"{whole!r} cannot be read: it contains {name}{primes}, but {name} is "
+                             "not declared as a Field; declare it or correct it")
         try:
             nodes = list(ast.walk(ast.parse(source, mode="eval")))
         except SyntaxError:
-            raise InputError(f"{whole!r} cannot be read: {text.strip()!r} is not an expression; "
-                             "write products with * and powers with **") from None
+            raise InputError(f"{whole!r} cannot be read: {self._slip(text.strip())}") from None
         known = {*self.symbols, *self.values, *self.fields, *_KNOWN}
-        strange = {n.id for n in nodes if isinstance(n, ast.Name)} - known
-        if strange:
-            raise InputError(f"{whole!r} contains {', '.join(sorted(strange))}, which is neither "
-                             "an unknown, a parameter, λ, the time nor a function known here (sin, "
-                             "cos, exp, sqrt); declare it or correct it")
         calls = {getattr(n.func, "id", "a number or a bracket")
                  for n in nodes if isinstance(n, ast.Call)}
+        strange = sorted({n.id for n in nodes if isinstance(n, ast.Name)} - known)
+        for name in strange:
+            if name == "λ":
+                raise InputError(f"{whole!r} contains λ, which is written {self.lam}")
+            if name in calls:
+                instead = f": {_INSTEAD[name]}" if name in _INSTEAD else ""
+                raise InputError(f"{whole!r} contains the function {name}, which is not known here; "
+                                 f"use rational powers, sqrt, exp, sin and cos{instead}")
+        if strange:
+            raise InputError(f"{whole!r} contains {', '.join(strange)}, which is neither "
+                             "an unknown, a parameter, λ, the time nor a function known here (sin, "
+                             "cos, exp, sqrt); declare it or correct it")
         wrong = calls - set(self.fields) - set(_FUNCTIONS)
         if wrong:
             raise InputError(f"{whole!r} calls {', '.join(sorted(wrong))}, which is not a function "
@@ -168,6 +197,18 @@ class Language:
                              "such as sin(x)")
         return result
 
+    def _slip(self, text: str) -> str:
+        """What is wrong with a text that is no expression, and the way out."""
+        if not text:
+            return "a side is empty; write an expression there, such as 0"
+        if text.count("(") != text.count(")"):
+            return f"{text!r} has a bracket that is not closed"
+        for pattern, advice in _SLIPS:
+            match = re.search(pattern, text)
+            if match:
+                return f"{match.group()!r} in {text!r}; {advice.format(lam=self.lam)}"
+        return f"{text!r} is not an expression; write products with * and powers with **"
+
     def _with_time(self, text: str, whole: str) -> str:
         """x'' as diff(x(t), t, 2), x as x(t)."""
         if not self.fields:
@@ -181,6 +222,11 @@ class Language:
             argument = self.time
             if bracket:
                 argument, end = self._bracket(text, end, whole)
+                if re.fullmatch(r"\s*[-+]?[\d.]+\s*", argument):
+                    raise InputError(f"{whole!r} contains {name}({argument}), but {name} is a "
+                                     f"function of the time {self.time} and initial conditions are "
+                                     "not given; what λ and the phase are is said by 'fixed' in "
+                                     "the Field")
                 if self.time not in re.findall(r"\w+", argument):
                     raise InputError(f"{whole!r} contains {name}({argument}), but {name} is a "
                                      f"function of the time {self.time}; write {name}({self.time})"

@@ -56,28 +56,31 @@ def free_motions(problem: Equations, states: list[State]) -> str | None:
     for state, roots in found:
         if roots is None or any(abs(r.real) < _SMALL < abs(r.imag) for r in roots):
             return None
-    state, roots = max(found, key=lambda f: max((r.real for r in f[1]), default=0))
+    state, roots = max(found, key=lambda f: max(r.real for r in f[1]))
     where = ", ".join(f"{name} = {value}" for name, value in state.items())
-    shown = " and ".join(_written(r) for r in roots)
+    at = f"the state of rest {where}"
+    shown = f"as exp(s*t) with s = {_written(roots)}"
     if problem.parameters:
         shown += f" where {' = '.join(problem.parameters)} = 1"
-    most = max((r.real for r in roots), default=0.0)
+    most = max(r.real for r in roots)
     if all(abs(r) < _SMALL for r in roots):
-        return (f"the equations have no linear force at the state of rest {where}, so the frequency "
-                "tends to 0 with the amplitude and no series begins there; add a linear term, such "
-                "as x in x'' + x + x**3, or expand about another state of rest")
+        return (f"there is no linear force at {at}, so the frequency tends to 0 with the amplitude "
+                "and no series begins there; add a linear term, such as x in x'' + x + x**3, or "
+                "give a seed about another state of rest")
     if most < _SMALL:
-        return (f"a damped free motion has no periodic solution: near the state of rest {where} "
-                f"motions behave as exp(s*t) with s = {shown}; leave the damping out, or add a "
-                "forcing such as lam*cos(t) and take the frequency away")
+        return (f"a damped free motion has no periodic solution: near {at} motions behave {shown}; "
+                "leave the damping out, or add a forcing such as lam*cos(t) and take the frequency "
+                "away")
     if any(r.real > _SMALL and abs(r.imag) > _SMALL for r in roots):
-        return (f"the state of rest {where} is unstable: motions grow as exp(s*t) with s = {shown}, "
-                "and a limit cycle of finite size is not near rest; scale the unknown so that "
-                "λ, the size of the cycle, is in the equations: (lam**2 - x**2)*x' in place of "
-                "eps*(1 - x**2)*x', where eps = lam**2")
-    return (f"the state of rest {where} is unstable (a saddle): motions near it behave as exp(s*t) "
-            f"with s = {shown}, and none oscillates; expand about another state of rest, with an "
-            "ansatz that contains it (modes='all', powers='all') or a seed")
+        return (f"{at} is unstable: motions near it grow {shown}, and a limit cycle of finite size "
+                "is not near it; scale the unknown so that λ, the size of the cycle, is in the "
+                "equations: (lam**2 - x**2)*x' in place of eps*(1 - x**2)*x', where eps = lam**2")
+    if len(found) > 1:
+        return (f"nothing oscillates near the {len(found)} states of rest: near {where}, for "
+                f"example, motions behave {shown}; change numbers in the equations so that one "
+                "s is imaginary")
+    return (f"{at} is a saddle, motions near it behave {shown}, and none oscillates; where there "
+            "is another state of rest, give a seed about it")
 
 
 def forced_motion(problem: Equations, states: list[State]) -> str | None:
@@ -102,7 +105,12 @@ def forced_motion(problem: Equations, states: list[State]) -> str | None:
     return None
 
 
-def _written(rate: complex) -> str:
-    parts = [0.0 if abs(p) < _SMALL else p for p in (rate.real, rate.imag)]
-    return f"{parts[0]:.3g}" if not parts[1] else f"{parts[1]:.3g}i" if not parts[0] else \
-        f"{parts[0]:.3g}{parts[1]:+.3g}i"
+def _written(roots: list[complex]) -> str:
+    """The rates with three digits, conjugate ones as one."""
+    out = []
+    for r in sorted(roots, key=lambda r: (r.real, r.imag)):
+        if r.imag > -_SMALL:
+            real = f"{r.real:.3g} " if abs(r.real) > _SMALL else ""
+            text = f"{real}± {r.imag:.3g}i".strip() if r.imag > _SMALL else real.strip() or "0"
+            out.append(text)
+    return ", ".join(out)

@@ -20,9 +20,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .aliases import Array, ArrayLike, Mode, Modes, Real
-from .arguments import scalar
+from .arguments import real, scalar
 from .errors import InputError, SolveError
-from .evaluation import fourier_sum
+from .evaluation import motion, times
 from .problem import Scalar
 from .sampling import Sampled, Samples
 
@@ -37,6 +37,8 @@ _MARGIN = 8
 _NEGLIGIBLE, _NOISE = 1e-15, 1e-17          # of a mode, against the largest one
 _MORE_ROWS = 5                              # more equations than modes hold the last modes down
 _MOST_STEPS = 30
+#: what may be left of F, against the largest terms of J c
+_ROUNDING = 1e-8
 
 
 class Orbit:
@@ -66,13 +68,24 @@ class Orbit:
         return (f"<Orbit of {self.problem!r} at λ = {self.lam:.15g}, residual {self.residual:.1e}, "
                 f"{self.steps} steps>")
 
-    def evaluate(self, name: str, t: ArrayLike | None = None, *, lam: Any = None) -> Real:
-        """The value of an unknown at times t; ``lam`` is there for callers that pass it."""
+    def evaluate(self, name: str, t: ArrayLike | None = None, *, lam: Any = None,
+                 derivative: int = 0) -> Real:
+        """The value of an unknown, or a derivative in t, as :meth:`ftseries.Solution.evaluate`.
+
+        ``lam`` is there for callers that pass it.
+
+        >>> import ftseries as fts
+        >>> orbit = fts.solve(fts.CubicOscillator(a=1), order=12).refine(0.5)
+        >>> abs(orbit.evaluate("x", 0, derivative=1)) < 1e-12              # at rest at t = 0
+        True
+        """
+        t = real("t", times(self.problem, name, t, derivative))
         amplitude = self.coefficients[name]
         if isinstance(self.problem.unknowns[name], Scalar):
-            return amplitude[0, 0]
-        omega = (self.coefficients[self.problem.frequency][0, 0] if self.problem.frequency else 1.0)
-        return fourier_sum(amplitude, omega * np.asarray(t, dtype=float))
+            return float(amplitude[0, 0])
+        omega = self.coefficients[self.problem.frequency][0, 0] if self.problem.frequency else 1.0
+        value = motion(amplitude, t, omega, derivative)
+        return value if np.ndim(value) else float(value)
 
     def refine(self, problem: Problem | None = None, lam: float | None = None) -> Orbit:
         """The periodic solution next to this one, by Newton's method.
@@ -158,7 +171,7 @@ class Collocation:
         parameter, unknowns = self.unknowns(x, lam)
         shape = x.shape[:-1] + (self.points,)
         values = [_product(np.broadcast_to(r.values, shape), self.waves[0].T) * (2 / self.points)
-                  for r in self.problem.equations(parameter, **unknowns).values()]
+                  for r in self.problem.residuals(parameter, unknowns).values()]
         if condition:
             values.append(self.problem.condition(parameter, **unknowns).values.mean(
                 axis=-1, keepdims=True))
@@ -172,11 +185,12 @@ class Collocation:
         """The largest absolute residual of each equation on the grid."""
         parameter, unknowns = self.unknowns(x, np.asarray(lam))
         return {name: float(np.abs(r.values).max())
-                for name, r in self.problem.equations(parameter, **unknowns).items()}
+                for name, r in self.problem.residuals(parameter, unknowns).items()}
 
+    @np.errstate(over="ignore", invalid="ignore")                # what is not finite is refused
     def newton(self, x: Array, lam: float, condition: bool) -> tuple[Array, float, int]:
         """(x, λ, steps) with steps of Newton's method until rounding stops them."""
-        size, before = len(x) + condition, np.inf
+        start, size, before = lam, len(x) + condition, np.inf
         steps = 1j * _STEP * np.eye(size)
         for step in range(1, _MOST_STEPS + 1):
             trial = np.append(x, lam) if condition else x
@@ -185,6 +199,8 @@ class Collocation:
                 matrix = self(moved[:, :len(x)],
                               moved[:, -1] if condition else np.full(size, lam + 0j),
                               condition).imag.T / _STEP
+                if not np.isfinite(matrix).all():
+                    break
                 rows = np.abs(matrix).max(axis=1) > 1e-13 * np.abs(matrix).max()
                 inverse = np.linalg.pinv(matrix[rows])
             delta = inverse @ -self(x, np.asarray(lam), condition)[rows]
@@ -194,10 +210,13 @@ class Collocation:
             if not np.isfinite(change) or (step > 6 and change > before > 1e-6):
                 break
             if change < 1e-15 * np.abs(x).max() or (change < 1e-10 and change > before / 4):
-                return x, float(lam), step
+                rest = np.abs(self(x, np.asarray(lam), condition)).max()
+                if rest <= _ROUNDING * np.abs(matrix).max() * np.abs(trial).max():
+                    return x, float(lam), step
+                break
             before = change
-        raise SolveError(f"Newton's method does not converge at λ = {float(lam):g}: the series is "
-                         "too poor a first guess there; take a higher order or a smaller λ")
+        raise SolveError(f"Newton's method does not converge at λ = {start:g}: the series is too "
+                         "poor a first guess there; take a higher order or a smaller λ")
 
 
 def _product(a: NDArray[Any], real: Array) -> NDArray[Any]:
@@ -242,7 +261,7 @@ def refine(problem: Problem, first_guess: dict[str, Modes], lam: float, conditio
         total += steps
         guess = {name: {} for name in problem.unknowns}
         for (name, sine, n), value in zip(system.columns, x):
-            guess[name][sine, n] = value
+            guess[name][sine, n] = float(value)
         sizes = _sizes(guess)
         if _last(sizes, _NEGLIGIBLE) <= top - 4 or top >= _MOST_MODES:
             break

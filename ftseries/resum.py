@@ -14,10 +14,10 @@ from flint import arb, ctx
 
 from .aliases import ArrayLike, Column, Mode, Real
 from .analysis import Estimate, pade
-from .arguments import real, scalar
+from .arguments import real, scalar, scalars
 from .conversion import to_ball
 from .errors import InputError
-from .evaluation import fourier_sum
+from .evaluation import SMALL, motion, times, unknown, warn
 from .problem import Scalar
 
 if TYPE_CHECKING:
@@ -55,6 +55,7 @@ class Resummed:
     def approximants(self, name: str) -> dict[Mode, tuple[int, int, Pade]]:
         """``{(sine, n): (step, first, Pade)}`` of one unknown."""
         if name not in self._modes:
+            unknown(self.problem, name)
             found = {mode for row in self.solution.coefficients[name] for mode in row}
             self._modes[name] = {}
             for sine, n in sorted(found, key=lambda mode: mode[::-1]):
@@ -84,19 +85,37 @@ class Resummed:
         return {mode: unit * lam**first * approximant(lam**step)
                 for mode, (step, first, approximant) in self.approximants(name).items()}
 
-    def evaluate(self, name: str, t: ArrayLike | None = None, *, lam: ArrayLike) -> Real:
-        """The value of an unknown at times t and parameter λ, broadcasting."""
-        unknown = self.solution._unknown(name)
-        amplitude = self.amplitudes(name, lam)
-        self._refuse_poles(name, amplitude, lam)
-        if isinstance(unknown, Scalar):
-            return amplitude[0, 0]
-        if t is None:
-            raise InputError(f"{name!r} depends on time: evaluate({name!r}, t, lam=…)")
-        tau = real("t", t)
-        if self.problem.frequency:
-            tau = tau * self.amplitudes(self.problem.frequency, lam)[0, 0]
-        return fourier_sum(amplitude, tau + 0 * real("lam", lam))
+    def evaluate(self, name: str, t: ArrayLike | None = None, *, lam: ArrayLike,
+                 derivative: int = 0) -> Real:
+        """The value of an unknown, or a derivative in t, as :meth:`ftseries.Solution.evaluate`.
+
+        Warns
+        -----
+        ConvergenceWarning
+            The truncated series is no approximation at λ, and :meth:`error` is not small either.
+        """
+        t = real("t", times(self.problem, name, t, derivative))
+        sums = {which: self.amplitudes(which, lam) for which in self.solution._summed(name)}
+        self._refuse_poles(name, sums[name], lam)
+        if self.solution._doubt(name, lam, tuple(scalars(self.parameters).items())):
+            for which, amplitude in sums.items():
+                self._doubt(which, amplitude, lam)
+        amplitude, *frequency = sums.values()
+        if isinstance(self.problem.unknowns[name], Scalar):
+            value = amplitude[0, 0]
+        else:
+            omega = frequency[0][0, 0] if frequency else 1.0
+            value = motion(amplitude, t + 0 * real("lam", lam), omega, derivative)
+        return value if np.ndim(value) else float(value)
+
+    def _doubt(self, name: str, amplitude: Mapping[Mode, Real], lam: ArrayLike) -> None:
+        """Warn where the error of the sum is not small."""
+        error, size = self.error(name, lam), sum(map(np.abs, amplitude.values()))
+        if np.any(error > SMALL * size):
+            worst = np.argmax(error / size)
+            warn(f"the Padé sum of {name!r} is not determined at λ = {np.ravel(lam)[worst]:g}: its "
+                 f"error() there is {np.ravel(error)[worst]:.2g}, its size "
+                 f"{np.ravel(size)[worst]:.2g}; take a higher order or a smaller λ")
 
     def error(self, name: str, lam: ArrayLike) -> Real:
         """Σ_n of the uncertainty of A_n(λ): an estimate, not a bound; see :func:`uncertainty`.
@@ -107,7 +126,8 @@ class Resummed:
         self._refuse_poles(name, sums[0], lam)
         changes = [sum(abs(a - other[mode]) for mode, a in first.items())
                    for first, other in ((sums[i], sums[j]) for i, j in _PAIRS)]
-        return uncertainty(*changes)
+        error = uncertainty(*changes)
+        return error if np.ndim(error) else float(error)
 
     def estimate(self, quantity: Callable[[Resummed], float]) -> Estimate:
         """``quantity`` of this sum with its uncertainty.
@@ -191,7 +211,7 @@ def at_phase(solution: Solution, name: str, tau: float, slope: bool = False) -> 
     """
     if solution.problem.parameters:
         raise InputError(f"{solution.problem!r} has free parameters; give them values")
-    if isinstance(solution._unknown(name), Scalar):
+    if isinstance(unknown(solution.problem, name), Scalar):
         raise InputError(f"{name!r} does not depend on the phase; ask for a field")
     with ctx.workprec(solution.precision or 256):
         phase, series = arb(scalar("tau", tau)), []

@@ -69,9 +69,12 @@ class Roots:
         if not equations:
             return [{}]
         for i, e in enumerate(equations):
-            factors = [(f, k) for f, k in sp.factor_list(e, *unknowns)[1] if f.has(*unknowns)]
+            constant, factors = sp.factor_list(e, *unknowns)
+            factors = [(f, k) for f, k in factors if f.has(*unknowns)]
+            rest = equations[:i] + equations[i + 1:]
+            if not factors:                               # its terms cancel after all
+                return self._solve(rest, unknowns, reduced) if vanishes(constant) else []
             if len(factors) > 1 or factors[0][1] > 1:
-                rest = equations[:i] + equations[i + 1:]
                 return [found for f, _ in factors
                         for found in self._solve([f, *rest], unknowns, False)]
         for choose in (_linear, self._single):

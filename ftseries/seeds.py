@@ -103,8 +103,8 @@ def units(terms: Terms) -> list[Expr]:
     for orders in terms.values():
         m0, leading = next(_numbers(orders), (0, sp.S.One))
         for m, c in _numbers(orders):
-            for ratio in [abs(leading / c)] * (m > m0) + [1 / abs(c)] * (m > 0):
-                unit = plain(sp.root(ratio, m - m0 if ratio != 1 / abs(c) else m))
+            for power, number in ((m, 1 / c), (m - m0, leading / c)):
+                unit = plain(sp.root(abs(number), power)) if power > 0 else sp.S.One
                 if not unit.is_Rational and unit not in found:
                     found.append(unit)
     return found

@@ -27,6 +27,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from flint import fmpq
+from sympy import SympifyError
 
 from .aliases import Exact, Function, Multiplier, Number, Term
 from .arguments import decimal
@@ -44,9 +45,15 @@ Operand: TypeAlias = "Series | Exact"
 WINDOW = 3
 
 
-def _refusal(sentence: str) -> Callable[..., Any]:
+class NotSymPy(InputError, SympifyError):
+    """SymPy's own numbers step back at this one, so that Rational(1, 3) * x is a series."""
+
+    __str__ = ValueError.__str__
+
+
+def _refusal(sentence: str, error: type[InputError] = InputError) -> Callable[..., Any]:
     def refuse(self: Series, *_: Any) -> Any:
-        raise InputError(sentence)
+        raise error(sentence)
     return refuse
 
 
@@ -154,7 +161,7 @@ class Series:
         "write formulas that are analytic")
     __float__ = __complex__ = _sympy_ = _refusal(
         "functions of math and SymPy do not know series; use ftseries.sin, ftseries.cos, "
-        "ftseries.exp, and powers such as x**Fraction(1, 2)")
+        "ftseries.exp, and powers such as x**Fraction(1, 2)", NotSymPy)
 
 
 @cache

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from .problem import Problem
     from .trig import Ring
 
-__all__ = ["LATEST", "Stages"]
+__all__ = ["LATEST", "Stages", "contradiction"]
 
 #: what is to be added to the unknowns, by Taylor order
 Changes: TypeAlias = dict[int, dict[Column, Number]]
@@ -187,11 +187,31 @@ class Stages:
                     mode=f"{'sin' if sine else 'cos'} {n}τ"))
 
     def scale(self, order: int) -> float:
-        """The size of the terms of this order, for the rounding of the float ring."""
-        if self.ring.exact:
-            return 0
-        return max((abs(row).max() for node in self.expansion.nodes if len(node.table) > order
-                    for row in node.table[order].parts.values()), default=0.0)
+        return _scale(self.expansion, order)
+
+
+def contradiction(problem: Problem, ring: Ring, known: Coefficients,
+                  top: int) -> tuple[str, int] | None:
+    """(equation, order) of the first residual up to order ``top`` that does not vanish."""
+    expansion = Expansion(ring)
+    unknowns = {name: expansion.polynomial(rows) for name, rows in known.items()}
+    residuals = problem.residuals(expansion.lam, unknowns)
+    for k in range(top + 1):
+        rows = {name: residual[k].modes() for name, residual in residuals.items()}
+        scale = _scale(expansion, k)
+        for name, row in rows.items():
+            if not all(ring.negligible(c, scale) for (_, n), c in row.items()
+                       if ring.exact or n <= k + problem.ahead):
+                return name, k
+    return None
+
+
+def _scale(expansion: Expansion, order: int) -> float:
+    """The size of the terms of this order, for the rounding of the float ring."""
+    if expansion.ring.exact:
+        return 0
+    return max((abs(row).max() for node in expansion.nodes if len(node.table) > order
+                for row in node.table[order].parts.values()), default=0.0)
 
 
 def _label(problem: Problem, name: str, sine: int, n: int, m: int) -> str:

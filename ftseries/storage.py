@@ -5,23 +5,28 @@ Format 1: ``{"format": "ftseries", "version": 1, "problem": {"name", "arguments"
 "sha256"}``, see :mod:`ftseries.jsonfile`.  A rational is "p/q", a polynomial a dict from exponents
 "i,j" to rationals, a ball the four integers [midpoint mantissa, exponent, radius mantissa,
 exponent]; FLINT reads the radius back with an upward rounding of 2^-30, so the ball still encloses
-what it did.
+what it did.  What is read has to satisfy the first orders of the problem's equations, so that a
+class that was changed since does not get the coefficients of another problem.
 """
 
 from __future__ import annotations
 
+import inspect
 import os
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, TypeAlias
 
-from flint import arb, fmpq, fmpq_mpoly
+from flint import arb, ctx, fmpq, fmpq_mpoly
 
 from . import jsonfile
 from .aliases import Coefficients, FilePath, Json, Number
 from .arguments import rational
+from .conversion import at
 from .errors import FileError, InputError
-from .laurent import PolynomialRing
+from .grid import FloatRing
+from .laurent import BallRing, PolynomialRing
 from .problem import Problem
+from .stages import contradiction
 
 if TYPE_CHECKING:
     from .solution import Solution
@@ -32,6 +37,8 @@ __all__ = ["save", "read", "encoded", "decoded"]
 Contents: TypeAlias = tuple[Problem, str, int, Coefficients, int | None]
 
 _KIND = "ftseries"
+#: how many orders of λ are checked when a file is read, and the bits for it
+_CHECKED, _BITS = 8, 256
 
 
 def save(solution: Solution, path: FilePath) -> None:
@@ -40,8 +47,10 @@ def save(solution: Solution, path: FilePath) -> None:
     Raises
     ------
     FileError
-        The folder does not exist or cannot be written.
+        The folder does not exist or cannot be written; the problem does not say how to make it
+        again, see :meth:`ftseries.Problem.arguments`.
     """
+    _check_arguments(type(solution.problem))
     data = {
         "problem": {"name": type(solution.problem).__name__,
                     "arguments": solution.problem.arguments()},
@@ -87,7 +96,7 @@ def _contents(data: dict[str, Json], problem: Problem | None) -> Contents:
         if name not in Problem.classes:
             raise FileError(f"the file holds a solution of {name!r}, which is not known here; "
                             "import its class or give load(path, problem=…)")
-        problem = Problem.classes[name](**arguments)
+        problem = _made(Problem.classes[name], arguments)
     elif (not isinstance(problem, Problem) or type(problem).__name__ != name
           or problem.arguments() != arguments):
         inner = ", ".join(f"{key}={value}" for key, value in arguments.items())
@@ -97,7 +106,52 @@ def _contents(data: dict[str, Json], problem: Problem | None) -> Contents:
     for unknown, rows in coefficients.items():
         if len(rows) != order + 1:
             raise InputError(f"{unknown} has {len(rows)} Taylor orders instead of {order + 1}")
+    _check_equations(problem, arithmetic, coefficients, data["precision"])
     return problem, arithmetic, order, coefficients, data["precision"]
+
+
+def _check_arguments(kind: type[Problem]) -> None:
+    """Refuse a constructor with arguments that :meth:`Problem.arguments` does not know."""
+    def owner(name: str) -> int:
+        return next(i for i, cls in enumerate(kind.__mro__) if name in vars(cls))
+    names = list(inspect.signature(kind).parameters)
+    if names and owner("__init__") < owner("arguments"):
+        values = ", ".join(f"{name!r}: self.{name}" for name in names)
+        raise FileError(f"a solution of {kind.__name__} cannot be saved, because it does not say "
+                        f"which {', '.join(names)} it was made with; define its method arguments, "
+                        f"such as def arguments(self): return {{{values}}}")
+
+
+def _made(kind: type[Problem], arguments: dict[str, Json]) -> Problem:
+    try:
+        inspect.signature(kind).bind(**arguments)
+    except TypeError as error:
+        inner = ", ".join(f"{key}={value}" for key, value in arguments.items())
+        raise FileError(f"{kind.__name__}({inner}) cannot be made again ({error}); give "
+                        "load(path, problem=…)") from None
+    return kind(**arguments)
+
+
+def _check_equations(problem: Problem, arithmetic: str, coefficients: Coefficients,
+                     precision: int | None) -> None:
+    """Refuse coefficients that contradict the first orders of the equations."""
+    first = {name: rows[:_CHECKED + 1] for name, rows in coefficients.items()}
+    top = min(map(len, first.values())) - 1
+    point = [fmpq(i + 3, 10) for i in range(len(problem.parameters))]     # numbers are quicker
+    ring: FloatRing | BallRing = BallRing()
+    if arithmetic == "float":
+        ring = FloatRing(degree=top + problem.ahead, order=top)
+    ring.names = problem.parameters
+    with ctx.workprec(precision or _BITS):
+        known = {name: [{mode: ring.number(at(c, point)) for mode, c in row.items()}
+                        for row in rows] for name, rows in first.items()}
+        ring.parameter = lambda name: ring.number(point[problem.parameters.index(name)])
+        found = contradiction(problem, ring, known, top)
+    if found:
+        equation, order = found
+        raise FileError(f"the coefficients in the file contradict equation {equation} of "
+                        f"{problem!r} at order {order} of λ, so they were saved for other "
+                        "equations; load them with those, or solve again")
 
 
 def _encode(number: Number) -> Json:

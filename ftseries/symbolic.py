@@ -14,14 +14,15 @@ from typing import Any
 import sympy as sp
 
 from .aliases import Expr, Function, Json, Mode
-from .arguments import whole
+from .arguments import decimal, whole
 from .errors import InputError, NonAnalyticError
 from .expansion import Expansion
 from .first_steps import first_steps
 from .laurent import PolynomialRing, SurdRing
 from .problem import Field, Problem, Scalar
 from .reading import Language, name_of
-from .translate import Translator, harmonic, lead, plain
+from .seeds import measured, ratio, read, units
+from .translate import Translator, harmonic, lead
 
 __all__ = ["Equations"]
 
@@ -102,8 +103,7 @@ class Equations(Problem):
         self.scales: dict[str, Expr] = {}
         self._translate()
         self._check_lead()
-        self._set_seed(first_steps(self, choice) if seed is None else seed)
-        self._translate()
+        self._begin(self._choose(first_steps(self), choice) if seed is None else seed)
         self._check_analytic()
 
     def equations(self, lam: Function, **unknowns: Function) -> dict[str, Function]:
@@ -146,7 +146,7 @@ class Equations(Problem):
         return {name: self.language.written(e) for name, e in self.expressions.items()}
 
     def _translate(self) -> None:
-        self._translator = Translator(self, self.language, self.scales)
+        self._translator = Translator(self, self.language, self.scales, self.lam_scale)
         self._residuals = {n: self._translator.residual(e, n) for n, e in self.expressions.items()}
         self.surd = self._translator.surd
 
@@ -195,61 +195,53 @@ class Equations(Problem):
 
     # --- the seed ----------------------------------------------------------------------------
 
-    def _set_seed(self, seed: Any) -> None:
-        """``self.seed`` and ``self.scales`` from expressions in λ and the modes."""
-        if not isinstance(seed, dict):
-            raise InputError(f"seed={seed!r}: give a dict from each unknown to its first terms, "
-                             "such as {'x': 'lam*cos(omega*t)'}")
-        seed = {name_of(key): value for key, value in seed.items()}
-        self.seed, self.seed_texts = {}, {}
-        for name, value in seed.items():
-            if name not in self.unknowns:
-                raise InputError(f"the seed names {name}, which is not an unknown; they are "
-                                 f"{', '.join(self.unknowns)}")
-            value = sp.expand(self.language.expression(value))
-            self.seed_texts[name] = str(value)
-            terms: dict[int, dict[Mode, Expr]] = {}
-            for term in sp.Add.make_args(value):
-                m, mode, c = self._seed_term(name, term)
-                row = terms.setdefault(m, {})
-                if c != 0:
-                    row[mode] = row.get(mode, 0) + c
-            rows = [terms.get(m, {}) for m in range(max(terms) + 1)]
-            leading = next((c for row in rows for c in row.values() if c != 0), sp.S.One)
-            if not leading.is_Rational:
-                self.scales[name] = leading
-            rows = [{mode: self._in_scale(name, c) for mode, c in row.items()} for row in rows]
-            scalar = isinstance(self.unknowns[name], Scalar)
-            self.seed[name] = [row.get((0, 0), 0) for row in rows] if scalar else rows
+    def _begin(self, seed: Any) -> None:
+        """Set ``seed``, ``scales`` and ``lam_scale`` so that the equations become rational."""
+        self.seed_texts, terms = read(self, seed)
+        refusal = None
+        for unit in units(terms):
+            try:
+                self.seed, self.scales = measured(self, terms, unit)
+                self.lam_scale = unit
+                self._translate()
+                return
+            except InputError as error:
+                refusal = refusal or error
+        raise refusal or InputError(f"seed={seed!r} is empty; give first terms")
 
-    def _seed_term(self, name: str, term: Expr) -> tuple[int, Mode, Expr]:
-        """(Taylor order, mode, coefficient) of one term of a seed."""
-        omega = sp.Symbol(self.frequency) if self.frequency else sp.S.One
-        time, lam = (sp.Symbol(s) for s in (self.variable, self.language.lam))
-        number, rest = term.as_independent(lam, time, as_Add=False) if term else (term, sp.S.One)
-        m, mode = 0, None
-        for factor in sp.Mul.make_args(rest):
-            base, exponent = factor.as_base_exp()
-            n = harmonic(factor, time, omega)
-            if base == lam and exponent.is_Integer and exponent > 0:
-                m += int(exponent)
-            elif n and mode is None and isinstance(self.unknowns[name], Field):
-                mode = int(isinstance(factor, sp.sin)), n
-            elif factor != 1:
-                number = sp.nan
-        if number.free_symbols or not number.is_finite or number.is_real is False:
-            waves = f" * cos or sin of n*{omega}*{time}" if isinstance(
-                self.unknowns[name], Field) else ""
-            raise InputError(f"the seed of {name} has the term {term}; its terms are number * "
-                             f"{lam}**m{waves}")
-        return m, mode or (0, 0), number
+    def _choose(self, seeds: list[dict[str, Expr]], choice: int | None) -> dict[str, Expr]:
+        """One of the first steps; refuses those whose coefficients are rational in no units."""
+        if choice is not None and choice not in range(len(seeds)):
+            raise InputError(f"choice={choice!r}: the number of solutions of the first steps is "
+                             f"{len(seeds)}, counted from 0")
+        if choice is not None or len(seeds) == 1:
+            seed = seeds[choice or 0]
+            why = self._hindrance(seed)
+            if why:
+                raise InputError(f"the motion {_shown(seed)} has no series with rational "
+                                 f"coefficients, because {why}")
+            return seed
+        hindrances = [self._hindrance(seed) for seed in seeds]
+        offers = "; ".join(f"choice={i}: {_shown(seed)}"
+                           + " (with irrational coefficients)" * bool(why)
+                           for i, (seed, why) in enumerate(zip(seeds, hindrances, strict=True)))
+        if all(hindrances):
+            raise InputError(f"the first steps have {len(seeds)} solutions, none of which leads to "
+                             f"rational coefficients ({offers}), because {hindrances[0]}")
+        raise InputError(f"the first steps have {len(seeds)} solutions, select one of them: "
+                         f"{offers}")
 
-    def _in_scale(self, name: str, c: Expr) -> Expr:
-        number = plain(c / self.scale(name))
-        if not number.is_Rational:
-            raise InputError(f"the seed of {name} has the number {c} beside {self.scale(name)}, "
-                             "and their ratio is not rational; measure the unknown in other units")
-        return number
+    def _hindrance(self, seed: dict[str, Expr]) -> str | None:
+        try:
+            self._begin(seed)
+        except InputError as error:
+            pair = ratio(read(self, seed)[1])
+            if pair is None:
+                return str(error)
+            return (f"the ratio of the amplitudes of {pair[0]} and {pair[1]}, {pair[2]}, is "
+                    "irrational; take normal coordinates as unknowns, or change a number in the "
+                    "equations so that the ratio becomes rational")
+        return None
 
 
 def _again(arguments: dict[str, Json]) -> Equations:
@@ -270,10 +262,12 @@ def _declared(key: str, unknown: Any) -> Field | Scalar:
 
 def _value(name: str, value: Any) -> Expr:
     try:
-        number = sp.nsimplify(value, rational=True)
-    except (sp.SympifyError, TypeError, ValueError, AttributeError):
-        number = None
-    if not isinstance(number, sp.Expr) or not number.is_Rational:
+        number = decimal(value)
+    except InputError:
         raise InputError(f"the parameter {name} has the value {value!r}, which is not a rational "
-                         "number; give an int, a Fraction or a float")
-    return number
+                         "number; give an int, a Fraction or a float") from None
+    return sp.Rational(int(number.p), int(number.q))
+
+
+def _shown(seed: dict[str, Expr]) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in seed.items())

@@ -1,7 +1,7 @@
 r"""From SymPy expressions to series.
 
-Formula.  With t the time, τ = ωt and unknowns u(t) = s_u U(τ; λ), ω = s_ω Ω, where the *scales* s
-are the irrational leading coefficients of the seed,
+Formula.  With t the time, τ = ωt and unknowns u(t) = s_u U(τ; Λ), ω = s_ω Ω, λ = l Λ, where the
+*scales* s are irrational leading coefficients of the seed and l is the unit of λ,
 
 ====================  ==================================
 d^k u/dt^k            ω^k d^k U/dτ^k
@@ -12,7 +12,7 @@ exp, sin, cos         the same, of an argument that vanishes at λ = 0
 ====================  ==================================
 
 A subexpression is translated to (factor, function): the SymPy number ``factor`` collects the
-scales, the function builds the rest from series.  Terms of a sum must have rational ratios of their
+scales and the unit, the function builds the rest from series.  Terms of a sum must have rational ratios of their
 factors; anything else is refused by name.  No term is ever dropped.
 """
 
@@ -71,8 +71,9 @@ class Translator:
         analytic at λ = 0.
     """
 
-    def __init__(self, problem: Problem, language: Language, scales: dict[str, Expr]) -> None:
-        self.problem, self.language, self.scales = problem, language, scales
+    def __init__(self, problem: Problem, language: Language, scales: dict[str, Expr],
+                 unit: Expr = sp.S.One) -> None:
+        self.problem, self.language, self.scales, self.unit = problem, language, scales, unit
         self.time = sp.Symbol(language.time)
         self.omega = sp.Symbol(problem.frequency) if problem.frequency else sp.S.One
         self.surd = False
@@ -114,7 +115,7 @@ class Translator:
     def _symbol(self, e: Expr, where: str) -> tuple[Expr, Build]:
         name, problem = e.name, self.problem
         if name == self.language.lam:
-            return sp.S.One, lambda env: env["lam"]
+            return self.unit, lambda env: env["lam"]
         if name in problem.parameters:
             return sp.S.One, lambda env: env["lam"].expansion.parameter(name)
         if isinstance(problem.unknowns.get(name), Scalar):

@@ -1,5 +1,6 @@
 """Evaluation of plain tables: against direct sums, mpmath, and known radii."""
 
+import re
 import warnings
 from math import comb
 
@@ -14,9 +15,10 @@ from ftseries.errors import ConvergenceWarning, InputError
 from ftseries.evaluation import (
     amplitudes,
     broadcastable,
+    derivative,
+    doubt,
     fourier_sum,
     radius_estimate,
-    warn_outside,
 )
 
 coefficients = st.floats(-3, 3, allow_subnormal=False)
@@ -67,14 +69,46 @@ def test_radius_needs_enough_coefficients():
     assert radius_estimate({(0, 0): [1.0, 0.0] * 20}) == pytest.approx(1, rel=1e-10)
 
 
-def test_the_warning_names_the_radius():
+def test_a_doubt_names_the_radius():
     table = {(0, 0): [comb(2 * k, k) / 4**k for k in range(40)]}          # 1/√(1 - λ)
-    with pytest.warns(ConvergenceWarning, match="λ = 2 .*near 1"):
-        warn_outside(table, "x", 2.0)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        warn_outside(table, "x", np.array([0.5, -0.99]))
-        warn_outside(table, "x", np.array([]))
+    assert re.match("λ = 2 lies outside .* near 1;", doubt(table, "x", 2.0))
+    assert doubt(table, "x", np.array([0.5, -0.99])) is None
+    assert doubt(table, "x", np.array([])) is None
+
+
+@pytest.mark.parametrize("step, first", [(1, 0), (2, 0), (2, 1), (3, 0), (4, 2)])
+@pytest.mark.parametrize("order", [*range(1, 24)])
+def test_terms_that_do_not_fall_are_a_doubt_at_every_order(step, first, order):
+    """Σ z^k, z = λ^step, and zeros between: at z = 3 the last term is three times the others."""
+    row = [float(m % step == first and m >= first) for m in range(order + 1)]
+    found = doubt({(0, 1): row}, "x", 3 ** (1 / step), given=first + 1)
+    if order < step + first:
+        assert found is None                                # nothing to compare the first term with
+    else:
+        assert "the last terms of 'x' are not small" in found and "unknown" in found
+    assert doubt({(0, 1): row}, "x", 0.3 ** (1 / step), given=first + 1) is None
+    assert doubt({(0, 1): row}, "x", 0.0) is None
+
+
+def test_what_is_no_doubt():
+    polynomial = {(0, 0): [1.0, 0.0, 7.0, *[0.0] * 20]}
+    assert doubt(polynomial, "x", 50.0) is None             # the series has ended long before
+    assert doubt({}, "x", 2.0) is None
+    assert doubt({(0, 0): [1.0, 5.0]}, "x", 9.0, given=2) is None           # the seed alone
+    assert doubt({(0, 0): [1.0, 5.0]}, "x", 9.0, given=1) is not None
+
+
+def test_terms_beyond_all_floats():
+    assert doubt({(0, 0): [1.0] * 10}, "x", 1e300) is not None
+
+
+@given(tables, st.floats(-10, 10), st.integers(0, 3))
+def test_derivatives_against_the_definition(table, tau, order):
+    """cos(nτ + kπ/2) n^k is the derivative of order k of cos nτ."""
+    direct = sum(sum(row) * n**order * np.cos(n * tau + (order - sine) * np.pi / 2)
+                 for (sine, n), row in table.items())
+    assert fourier_sum(derivative(amplitudes(table, 1.0), order), tau) == pytest.approx(
+        direct, abs=1e-11)
 
 
 def test_broadcastable_names_the_shapes():

@@ -4,7 +4,8 @@
     python tools/draw_figures.py book/idea.ipynb    those of this notebook
 
 The notebooks themselves draw them: each is executed with both formats switched on, and nothing of
-it is stored but the pictures of the cells that carry the name of a figure.
+it is stored but the pictures of the cells that carry the name of a figure. ``index.md`` says what
+each of them shows.
 """
 
 import argparse
@@ -35,6 +36,10 @@ def draw(path, folder):
         normalise_notebooks.execute(
             notebook, path.parent, *(f"--InlineBackend.figure_formats={kind}" for kind in FORMATS))
     folder.mkdir(parents=True, exist_ok=True)
+    with (folder / "index.md").open("a", encoding="utf-8") as index:
+        for name, cell in figures.items():
+            caption = " ".join(cell.metadata["mystnb"]["figure"].get("caption", "").split())
+            index.write(f"- **{name}** ({path.stem}): {caption}\n")
     for name, cell in figures.items():
         pictures = [output.data for output in cell.outputs if "image/png" in output.get("data", {})]
         if len(pictures) != 1:
@@ -49,6 +54,7 @@ def main(arguments=None):
     parser.add_argument("notebooks", nargs="*", type=Path, help="default: all of book/")
     parser.add_argument("--folder", type=Path, default=TARGET, help="default: _build/figures")
     options = parser.parse_args(arguments)
+    (options.folder / "index.md").unlink(missing_ok=True)
     for path in options.notebooks or sorted((ROOT / "book").glob("*.ipynb")):
         names = draw(path, options.folder)
         print(f"{path.name}: {', '.join(names) or 'no figures'}", flush=True)

@@ -4,8 +4,9 @@
 
 copies what the book is made of to ``folder`` (default ``_build/student``) and leaves out every
 solution: the directives ``solution`` and ``solution-start`` to ``solution-end`` of text cells and
-pages, and the code cells with the tag ``solution``. What is left is a book of its own, which
-``jupyter-book build`` builds and whose notebooks a class can be given.
+pages, and the code cells with the tag ``solution``. The page for lecturers and the paragraphs that
+lead to it stay away as well. What is left is a book of its own, which ``jupyter-book build`` builds
+and whose notebooks a class can be given.
 """
 
 import re
@@ -17,8 +18,20 @@ import nbformat
 
 ROOT = Path(__file__).parents[1]
 COPIED = ("_config.yml", "_toc.yml", "requirements.lock", "requirements.txt", "pyproject.toml",
-          "README.md", "LICENSE", "LICENSE-TEXT", "CITATION.cff", "book", "ftseries",
+          "LICENSE", "LICENSE-TEXT", "CITATION.cff", ".dockerignore", "book", "ftseries",
           "benchmarks")
+README = """\
+# Fourier-Taylor series
+
+The book for a class, without solutions. With Python 3.11 or later, in this folder:
+
+    python3 -m venv .venv && . .venv/bin/activate
+    pip install -r requirements.txt
+    jupyter lab book          # read and change the notebooks
+    jupyter-book build .      # then open _build/html/index.html
+
+Code: MIT licence (LICENSE). Text and figures: CC BY 4.0 (LICENSE-TEXT). How to cite: CITATION.cff.
+"""
 LEFT_OUT = shutil.ignore_patterns("__pycache__", ".ipynb_checkpoints", "node_modules")
 
 FENCE = re.compile(r"^(?P<fence>`{3,}|:{3,})\{(?P<name>solution(?:-start|-end)?)\}")
@@ -74,10 +87,17 @@ def make(folder):
         notebook = nbformat.read(path, as_version=4)
         strip_notebook(notebook)
         nbformat.write(notebook, path)
+    (folder / "README.md").write_text(README, encoding="utf-8")
+    (folder / "book" / "lecturers.md").unlink(missing_ok=True)
+    contents = folder / "_toc.yml"
+    lines = contents.read_text(encoding="utf-8").splitlines(keepends=True)
+    contents.write_text("".join(x for x in lines if "lecturers" not in x), encoding="utf-8")
     for path in sorted((folder / "book").glob("*.md")):
-        text = path.read_text(encoding="utf-8")
-        if FENCE.search(text) or re.search(r"\{solution", text):
-            path.write_text(without_solutions(text)[0] + "\n", encoding="utf-8")
+        before = path.read_text(encoding="utf-8")
+        paragraphs = without_solutions(before)[0].split("\n\n")
+        after = "\n\n".join(text for text in paragraphs if "{doc}`lecturers`" not in text) + "\n"
+        if after != before:
+            path.write_text(after, encoding="utf-8")
     fetched = ROOT / "_build" / "web"                 # scripts of the pages, if they are there
     if fetched.exists():
         shutil.copytree(fetched, folder / "_build" / "web", dirs_exist_ok=True)

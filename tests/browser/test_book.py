@@ -41,6 +41,27 @@ def test_every_page_stands_alone(visit, book):
         assert loads == (wanted > 0), name
         assert page.watched.outside == [], name
         assert page.watched.said == [], name
+        if "-slides" not in name:
+            page.set_viewport_size({"width": 390, "height": 844})          # of a phone
+            assert page.evaluate("document.documentElement.scrollWidth") <= 390, name
+        page.context.close()
+
+
+def test_every_slide_says_what_it_is_about(visit):
+    """Each has a heading and something below it."""
+    if not (BUILT / "index.html").exists():
+        missing("the book is not built (make book)")
+    for name in [name for name in pages() if name.endswith("-slides.html")]:
+        page = visit(f"{BUILT.as_uri()}/{name}")
+        page.wait_for_function("window.Reveal && Reveal.isReady()", timeout=60_000)
+        slides = page.evaluate("""Reveal.getSlides().map((slide) => ({
+            heading: slide.querySelector("h1, h2, h3, h4")?.textContent ?? "",
+            parts: [...slide.children].filter((part) => !part.matches("h1, h2, h3, h4, aside")
+                && (part.textContent.trim() || part.querySelector("img, svg, canvas"))).length,
+        }))""")
+        assert 10 <= len(slides) <= 30, (name, len(slides))
+        for number, slide in enumerate(slides, 1):
+            assert slide["heading"] and slide["parts"], (name, number, slide)
         page.context.close()
 
 

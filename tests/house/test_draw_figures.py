@@ -12,8 +12,8 @@ PLOT = "import matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.show()"
 
 def notebook(path, *cells):
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
-    cells = [v4.new_code_cell(source, metadata={"mystnb": {"figure": {"name": name}}})
-             for source, name in cells]
+    cells = [v4.new_code_cell(source, metadata={"mystnb": {"figure": {
+        "name": name, "caption": "A line\n  that rises."}}}) for source, name in cells]
     nbformat.write(v4.new_notebook(cells=cells, metadata={"kernelspec": kernel}), path)
     return path
 
@@ -23,7 +23,9 @@ def test_named_figures_are_drawn_in_both_formats(tmp_path, capsys):
     before = path.read_bytes()
     assert tool.main([str(path), "--folder", str(tmp_path / "out")]) == 0
     assert sorted(file.name for file in (tmp_path / "out").iterdir()) == [
-        "fig-line.png", "fig-line.svg"]
+        "fig-line.png", "fig-line.svg", "index.md"]
+    assert (tmp_path / "out" / "index.md").read_text(encoding="utf-8") == (
+        "- **fig-line** (a): A line that rises.\n")
     assert (tmp_path / "out" / "fig-line.png").read_bytes().startswith(b"\x89PNG")
     assert ET.parse(tmp_path / "out" / "fig-line.svg").getroot().tag.endswith("svg")
     assert path.read_bytes() == before and "a.ipynb: fig-line" in capsys.readouterr().out

@@ -55,6 +55,20 @@ def test_lecturers_call_exercises_by_their_titles():
     assert {label: name for name, label in named}.items() <= titles.items()
 
 
+def test_lecturers_find_every_exercise_once_and_under_its_sign():
+    page = (ROOT / "book/lecturers.md").read_text(encoding="utf-8")
+    table = page.partition("## Which exercises fit where")[2].partition("\n## ")[0]
+    columns = [[], [], [], []]
+    for row in re.findall(r"^\| \{doc\}.*$", table, re.M):
+        for column, cell in zip(columns, row.split("|")[2:6], strict=True):
+            column += re.findall(r"<(ex-[\w-]+)>", cell)
+    found = {chapter: exercises(chapter) for chapter in chapters()}
+    signs = {label: title[0] for listed in found.values() for label, title, _ in listed}
+    assert sorted(sum(columns, [])) == sorted(signs)
+    for column, sign in zip(columns, ("✍", "⌨", "✍", "★"), strict=True):
+        assert {signs[label] for label in column} == {sign}
+
+
 def test_a_glossary_entry_has_at_most_two_sentences():
     page = (ROOT / "book/glossary.md").read_text(encoding="utf-8")
     entries = re.findall(r"^\S.*\n((?: {2}.+\n)+)", page.partition(":sorted:")[2], re.M)

@@ -81,3 +81,15 @@ def test_every_exercise_and_every_figure_is_there(folder):
         return re.findall(r":label: (ex-[\w-]+)", text), re.findall(r'"name": "(fig-[\w-]+)"', text)
     assert asked(folder / "book") == asked(BOOK)
     assert (folder / "book" / "_ext" / "ftbook").is_dir() and (folder / "_toc.yml").exists()
+
+
+def test_the_class_has_instructions_that_work_and_nothing_for_lecturers(folder):
+    readme = (folder / "README.md").read_text(encoding="utf-8")
+    assert "make" not in readme and "requirements.txt" in readme
+    assert (folder / "requirements.txt").exists() and (folder / ".dockerignore").exists()
+    pages = [*(folder / "book").glob("*.md"), *(folder / "book").glob("*.ipynb")]
+    assert not [page.name for page in pages if page.stem == "lecturers"]
+    for page in [*pages, folder / "_toc.yml"]:
+        assert "lecturers" not in page.read_text(encoding="utf-8"), page.name
+    preface = (folder / "book" / "preface.md").read_text(encoding="utf-8")
+    assert preface.startswith("---") and "## For whom" in preface

@@ -9,6 +9,7 @@
 ``site``  the address of the published book;
 ``slides``  each chapter as a deck;
 ``versions``  what the pages were built with;
+``downloads``  links to the PDF and the figures, where they were made;
 ``bibliography``  its entries as items of a list.
 """
 
@@ -18,6 +19,7 @@ from ftbook import (
     bibliography,
     cache,
     docstrings,
+    downloads,
     fallback,
     latex,
     links,
@@ -33,6 +35,7 @@ def setup(app):
     app.connect("config-inited", site.add_address)
     app.connect("config-inited", cache.key_by_package)
     app.connect("builder-inited", web.add_web_files)
+    app.connect("autodoc-process-docstring", docstrings.name_module)
     app.connect("autodoc-process-docstring", docstrings.escape_bars)
     app.connect("builder-inited", latex.number_like_pages, priority=600)
     app.connect("doctree-read", latex.add_links, priority=200)
@@ -43,7 +46,9 @@ def setup(app):
     app.connect("html-page-context", slides.cut, priority=600)
     app.connect("html-collect-pages", slides.write)
     app.connect("doctree-read", fallback.add_pictures, priority=100)
+    app.connect("build-finished", downloads.copy)
     app.add_directive("built-with", versions.BuiltWith)
+    app.add_directive("downloads", downloads.Downloads)
     entry = (bibliography.visit_citation, bibliography.depart_citation)
     app.add_node(nodes.citation, override=True, html=entry)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,225 @@
+r"""What the Taylor coefficients of a solution's modes show: singularities, radius of convergence.
+
+The methods of this class belong to :class:`ftseries.Solution`.  They work in the solver's units:
+z = Λ^step with Λ = λ / lam_scale, where step is 2 for a series in λ², so that no coefficient of a
+sequence is regularly zero.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from flint import ctx
+
+from . import analysis
+from .aliases import Function, Modes, Number
+from .analysis import Estimate, Singularity
+from .arguments import scalars, whole
+from .branch import branch_point
+from .conversion import at
+from .errors import InputError
+from .evaluation import unknown
+from .expansion import Expansion
+from .grid import FloatRing
+from .laurent import BallRing, PolynomialRing, RationalRing
+from .problem import Scalar
+from .series import Series
+from .values import Values
+
+if TYPE_CHECKING:
+    from .problem import Problem
+    from .trig import Ring
+
+__all__ = ["Sequences"]
+
+#: Fourier orders from which the radius of a whole unknown is taken
+_LOW_MODES = 6
+#: so many coefficients of a sequence usually show its singularity
+_COEFFICIENTS = 20
+
+
+class Sequences(Values):
+    """Analysis of a solution's Taylor coefficients, mode by mode."""
+
+    def sequence(self, name: str, n: int = 0, sine: bool | None = None,
+                 **parameters: Any) -> tuple[int, int, list[Number]]:
+        """(step, first, c): mode n of an unknown is Λ^first Σ_k c_k Λ^{step k}.
+
+        The c_k are the solver's numbers: exact, float or ball.
+        """
+        kind = unknown(self.problem, name)
+        self._check_parameters(parameters)
+        if sine is None:
+            sine = getattr(kind, "series", "cos") == "sin"
+        mode = int(bool(sine)), 0 if isinstance(kind, Scalar) else whole("n", n)
+        point = self._point(parameters)
+        row = [at(coefficients[mode], point) if mode in coefficients else 0
+               for coefficients in self.coefficients[name]]
+        if not any(row):
+            raise InputError(f"mode {n} of {name!r} has no coefficients up to order {self.order}; "
+                             "choose a mode of the ansatz or a higher order")
+        return analysis.thin(row)
+
+    def expand(self, function: Callable[..., Function], n: int = 0, sine: bool = False,
+               **parameters: Any) -> tuple[int, int, list[Number]]:
+        """(step, first, c), as :meth:`sequence`, of a mode of a function of λ and the unknowns.
+
+        Parameters
+        ----------
+        function : callable
+            Takes λ and, by name, the unknowns; written as the equations of a problem are.
+
+        Examples
+        --------
+        The closure S_x/3 of the figure eight, (E4), as a series in λ² (in units of 3^{1/3}):
+
+        >>> import ftseries as fts
+        >>> sol = fts.solve(fts.FigureEight(), order=6)
+        >>> sol.expand(sol.problem.condition)
+        (2, 0, [1, -5/16, 7/256, -55/24576])
+        """
+        self._check_parameters(parameters)
+        _check_signature(function, self.problem)
+        ring: Ring
+        if self.problem.parameters:
+            ring = PolynomialRing(self.problem.parameters)
+        elif self.arithmetic == "float":
+            ring = FloatRing(degree=self.order + self.problem.ahead, order=self.order)
+        else:
+            ring = BallRing() if self.arithmetic == "ball" else RationalRing()
+        point, mode = self._point(parameters), (int(bool(sine)), n)
+        with ctx.workprec(self.precision or ctx.prec):
+            expansion = Expansion(ring)
+            unknowns = {name: expansion.polynomial(rows)
+                        for name, rows in self.coefficients.items()}
+            result = function(expansion.lam, **unknowns)
+            if not isinstance(result, Series):
+                raise InputError(f"the function must return a series, not {result!r}; write it as "
+                                 "the equations of a problem are written")
+            rows = [result[m].modes() for m in range(self.order + 1)]
+        return analysis.thin([at(row[mode], point) if mode in row else 0 for row in rows])
+
+    def singularities(self, name: str, n: int = 0, sine: bool | None = None,
+                      **parameters: Any) -> list[Singularity]:
+        """The singularities in z = Λ^step nearest to 0, from one mode, nearest first.
+
+        See :func:`ftseries.analysis.nearest_singularities`.
+        """
+        step, _, c = self.sequence(name, n, sine, **parameters)
+        try:
+            return analysis.nearest_singularities(c)
+        except InputError:
+            raise InputError(f"mode {n} of {name!r} shows no singularity at order {self.order}: it "
+                             f"has too few coefficients, or its function has none; try order="
+                             f"{max(2 * self.order, _COEFFICIENTS * step)}") from None
+
+    def branch_point(self, name: str, n: int = 0, sine: bool | None = None,
+                     **parameters: Any) -> Singularity:
+        """The first of :meth:`singularities`, made sharp on the problem's equations themselves.
+
+        Two periodic solutions meet there; see :mod:`ftseries.branch`.
+
+        Returns
+        -------
+        Singularity
+            In z = Λ^step, with exponent 1/2.
+
+        Raises
+        ------
+        SolveError
+            The singularity is of another kind.
+
+        Examples
+        --------
+        >>> import ftseries as fts
+        >>> sol = fts.solve(fts.GeneralizedMathieu(mu=0), order=40)
+        >>> q = sol.branch_point("a").location / 2                          # DLMF, table 28.6.1
+        >>> round(abs(q), 8)
+        3.76995749
+        """
+        step = self.sequence(name, n, sine, **parameters)[0]
+        z = self.singularities(name, n, sine, **parameters)[0].location
+        values = scalars(parameters)
+        place = complex(z.real, abs(z.imag)) ** (1 / step)
+        inner, outer = (self._complex_amplitudes(part * place, values) for part in (0.97, 0.98))
+        slope = {name: {mode: c - inner[name][mode] for mode, c in modes.items()}
+                 for name, modes in outer.items()}
+        lam, error = branch_point(self.problem, outer, slope, place, values)
+        return Singularity(lam**step, 0.5, step * abs(lam) ** (step - 1) * error, 0.0)
+
+    def radius_of_convergence(self, name: str, n: int | None = None, sine: bool | None = None,
+                              **parameters: Any) -> Estimate:
+        """The radius of convergence in λ, with its uncertainty.
+
+        Parameters
+        ----------
+        name : str
+        n : int, optional
+            One Fourier mode; left out, that of the lowest modes whose radius is best determined;
+            its distance from the second best is in the uncertainty.
+        **parameters
+            Values of the problem's free parameters.
+
+        Returns
+        -------
+        Estimate
+
+        Raises
+        ------
+        InputError
+            Too few coefficients, or a mode without any.
+
+        Examples
+        --------
+        >>> import ftseries as fts
+        >>> sol = fts.solve(fts.GeneralizedMathieu(mu=0), order=99)
+        >>> round(sol.radius_of_convergence("a").value ** 2 / 2, 8)             # |q|, DLMF 28.6.1
+        3.76995749
+        """
+        kind = unknown(self.problem, name)
+        if isinstance(kind, Scalar):
+            modes: list[tuple[bool | None, int]] = [(False, 0)]
+        elif n is not None:
+            modes = [(sine, n)]
+        else:
+            modes = [(bool(mode[0]), mode[1]) for mode in reversed(kind.columns(_LOW_MODES))
+                     if any(mode in row for row in self.coefficients[name])]
+        scale, step, found = float(self.problem.lam_scale), 1, []
+        for sine, n in modes:
+            step = self.sequence(name, n, sine, **parameters)[0]
+            try:
+                radius = self.singularities(name, n, sine, **parameters)[0].radius
+            except InputError:
+                if len(modes) == 1:
+                    raise
+                continue
+            value = scale * radius.value ** (1 / step)
+            found.append((value * radius.error / (radius.value * step), value))
+        if not found:
+            raise InputError(f"{name!r} has too few coefficients at order {self.order} to estimate "
+                             "its radius of convergence; try order="
+                             f"{max(2 * self.order, _COEFFICIENTS * step)}")
+        (error, value), *others = sorted(found)
+        return Estimate(value, max([error] + [abs(value - other) for _, other in others[:1]]))
+
+    def _complex_amplitudes(self, lam: complex,
+                            parameters: Mapping[str, float]) -> dict[str, Modes]:
+        """The same at a complex λ in the solver's units."""
+        lam = lam * float(self.problem.lam_scale)
+        return {name: {mode: np.polynomial.polynomial.polyval(lam, row)
+                       / float(self.problem.scale(name))
+                       for mode, row in self.table(name, **parameters).items()}
+                for name in self.problem.unknowns}
+
+
+def _check_signature(function: Any, problem: Problem) -> None:
+    """Refuse what does not take λ and, by name, the unknowns."""
+    try:
+        inspect.signature(function).bind(None, **dict.fromkeys(problem.unknowns))
+    except (TypeError, ValueError):
+        arguments = ", ".join(["lam", *problem.unknowns])
+        raise InputError(f"{function!r} is not a function of λ and all the unknowns; give one like "
+                         f"lambda {arguments}: …") from None
