@@ -30,12 +30,13 @@ def decimal(x: Exact) -> fmpq:
     """
     if hasattr(x, "_mpf_") and isfinite(x):                        # mpmath or a SymPy Float
         short = to_float(x._mpf_)
-        x = short if from_float(short) == x._mpf_ else _shortest(x)
+        double = getattr(x, "_prec", 53) >= 53 and from_float(short) == x._mpf_
+        x = short if double else _shortest(x)
     return rational(str(x) if isinstance(x, (float, np.floating)) and np.isfinite(x) else x)
 
 
 def _shortest(x: Any) -> str:
-    """The shortest decimal that rounds to a number of more than 53 bits."""
+    """The shortest decimal that rounds to a number at its own precision."""
     bits = max(getattr(x, "_prec", 0), x._mpf_[3])
     texts = (to_str(x._mpf_, digits) for digits in range(1, repr_dps(bits) + 1))
     return next(t for t in texts if from_str(t, bits, round_nearest) == x._mpf_)

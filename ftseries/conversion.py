@@ -10,9 +10,10 @@ import sympy as sp
 from flint import arb, fmpq
 
 from .aliases import Expr, Number
+from .arguments import decimal
 from .errors import InputError
 
-__all__ = ["to_sympy", "to_float", "to_mpf", "to_ball", "at"]
+__all__ = ["to_sympy", "to_float", "to_mpf", "to_ball", "in_fractions", "at"]
 
 
 def to_sympy(number: Number, names: Sequence[str]) -> Expr:
@@ -22,6 +23,15 @@ def to_sympy(number: Number, names: Sequence[str]) -> Expr:
     symbols = [sp.Symbol(name) for name in names]
     return sp.Add(*(sp.Rational(int(c.p), int(c.q)) * sp.prod(map(sp.Pow, symbols, exponents))
                     for (_, *exponents), c in number.to_dict().items()))
+
+
+def in_fractions(e: Expr) -> Expr:
+    """A SymPy expression with each of its decimals as the fraction that it looks like.
+
+    >>> in_fractions(0.3 * sp.Symbol("x"))
+    3*x/10
+    """
+    return e.xreplace({x: to_sympy(decimal(x), ()) for x in e.atoms(sp.Float)})
 
 
 def to_float(number: Number) -> float:

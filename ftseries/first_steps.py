@@ -13,7 +13,6 @@ or by τ to τ + π, the one with positive frequency or leading amplitude is kep
 from __future__ import annotations
 
 from collections.abc import Container
-from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -30,12 +29,13 @@ from .errors import (
 )
 from .expansion import Expansion
 from .laurent import PolynomialRing, SurdRing
-from .problem import Field, Scalar
-from .reasons import forced_motion, free_motions
+from .problem import Scalar
+from .reasons import forced_motion, free_motions, wider
 from .roots import Roots, vanishes
 from .stages import LATEST
 
 if TYPE_CHECKING:
+    from .problem import Field
     from .symbolic import Equations
 
 __all__ = ["first_steps"]
@@ -75,9 +75,11 @@ def first_steps(problem: Equations) -> list[dict[str, Expr]]:
     try:
         solutions = search.run()
     except (NonAnalyticError, InputError, NotImplementedError) as error:
-        terms = problem.delicate
-        verb = "are" if len(terms) > 1 else "is"
-        why = f"{', '.join(terms)} {verb} not polynomial" if terms else str(error)
+        why, terms = str(error), list(dict.fromkeys(problem.delicate))
+        if terms and not search.states:
+            verb = "are" if len(terms) > 1 else "is"
+            why = (f"{', '.join(terms)} {verb} not polynomial, and no series begins with rest at "
+                   f"{', '.join(f'{name} = 0' for name in problem.language.fields)}")
         raise InputError(f"the first steps cannot be solved automatically ({why}); give a seed "
                          f"for {names}") from None
     if not solutions:
@@ -124,16 +126,17 @@ class _Search:
         return _distinct(self.problem, self.symbols, branches)
 
     def extended(self, branches: list[Known], order: int) -> list[Known]:
+        self.roots, self.dependent = Roots(), []
         try:
             return [found for known in branches for found in self.extend(known, order)]
         except (NonAnalyticError, InputError):
-            if order or not self.problem.delicate:
+            if order:
                 raise
         rest = {s: sp.S.Zero for (name, _, m), s in self.symbols.items()
                 if m == 0 and not isinstance(self.problem.unknowns[name], Scalar)}
         found = self.extend(rest, order)
         if not found:
-            raise InputError("rest at 0 does not satisfy them")
+            raise InputError("they have too many solutions, and rest at 0 is none of them")
         return found
 
     def extend(self, known: Known, order: int) -> list[Known]:
@@ -167,46 +170,32 @@ class _Search:
             s, value = self.dependent[0]
             name, mode, m = next(key for key, other in self.symbols.items() if other == s)
             letters = sorted(x.name for x in value.free_symbols if x.name in problem.parameters)
-            return (f"{' and '.join(letters)} needs a value, because "
+            return (f"{' and '.join(letters)} need{'s' * (len(letters) == 1)} a value, because "
                     f"{_label(name, mode, m, problem.unknowns[name])} would be {value}, and "
                     f"coefficients are polynomials in a parameter; give it in "
                     f"parameters={{{letters[0]!r}: 2}}, for example")
+        if self.roots.left:
+            fields = {self.symbols.get((name, (0, 0), 0)): sp.Symbol(name)
+                      for name in problem.language.fields}
+            zero = " or ".join(dict.fromkeys(f"{p.xreplace(fields)} = 0" for p in self.roots.left))
+            return (f"they would obey {zero}, and such roots are irrational in any units; change "
+                    "numbers in the equations so that the roots become rational")
         if self.failed == 0:
-            polynomials = ", ".join(map(str, self.roots.left))
-            return (f"the states of rest are roots of {polynomials}, which are no square roots"
-                    if polynomials else "there is no state of rest in the ansatz") + \
-                "; change the numbers in the equations or the ansatz, or give a seed for " + \
-                ", ".join(problem.unknowns)
+            return ("there is no state of rest in the ansatz; change the equations or the ansatz, or "
+                    f"give a seed for {', '.join(problem.unknowns)}")
         states = [{name: known.get(self.symbols.get((name, (0, 0), 0), sp.S.Zero), sp.S.Zero)
                    for name in problem.language.fields} for known in self.states]
-        return (forced_motion(problem, states) or _wider(problem) or free_motions(problem, states)
+        return (forced_motion(problem, states) or wider(problem, _solvable)
+                or free_motions(problem, states)
                 or "the ansatz may lack the symmetry or the Fourier orders of the motion; change "
-                   "the equations or the ansatz, or give a seed for " + ", ".join(problem.unknowns))
+                   f"the equations or the ansatz, or give a seed for {', '.join(problem.unknowns)}")
 
 
-def _wider(problem: Equations) -> str | None:
-    """The ansatz that would do, where a wider one does."""
-    both = {"modes": "all", "powers": "all"}
-    choices = [({"modes": "all"}, Field), ({"powers": "all"}, Field), ({"series": "both"}, Field),
-               (both, Field), (both | {"series": "both"}, Field), ({"powers": "all"}, Scalar)]
-    for changes, kind in choices:
-        other = object.__new__(type(problem))               # copy() would ask for the seed
-        vars(other).update(vars(problem))
-        other.unknowns = {name: replace(u, **changes) if isinstance(u, kind) else u
-                          for name, u in problem.unknowns.items()}
-        if other.unknowns == problem.unknowns:
-            continue
-        try:
-            if _Search(other).run():
-                wanted = ", ".join(
-                    f"give {name} " + " and ".join(
-                        f"{key}={value!r}" for key, value in changes.items()
-                        if getattr(problem.unknowns[name], key) != value)
-                    for name, u in other.unknowns.items() if u != problem.unknowns[name])
-                return f"the ansatz lacks modes or powers of the motion; {wanted}"
-        except FTSeriesError:
-            continue
-    return None
+def _solvable(problem: Equations) -> bool:
+    try:
+        return bool(_Search(problem).run())
+    except FTSeriesError:
+        return False
 
 
 def _symbols(problem: Equations) -> Symbols:
@@ -268,6 +257,8 @@ def _distinct(problem: Equations, symbols: Symbols, solutions: list[Known]) -> l
     moving = [known for known in solutions if known.get(frequency) != 0 and (given or any(
         known.get(s, s) != 0 for (name, mode, m), s in symbols.items()
         if mode[1] and _is_low(problem, name, m)))]
+    if not (moving or problem.frequency) and problem.forcing:
+        moving = solutions[:1]                          # forced at a higher power of λ
     waves = {s: mode for (name, mode, m), s in symbols.items() if mode[1]}
     mirrors = ({s for s, (_, n) in waves.items() if n % 2},                    # τ to τ + π
                {s for s, (sine, _) in waves.items() if sine} | {frequency})    # τ to -τ

@@ -20,7 +20,7 @@ from flint import fmpq
 from .aliases import Array, Coefficients, Expr, Function, Json, Modes
 from .ansatz import Field, Scalar, in_parity
 from .arguments import decimal
-from .conversion import to_float, to_sympy
+from .conversion import in_fractions, to_float
 from .errors import InputError
 from .sampling import Sampled, Samples
 from .series import Series
@@ -59,7 +59,7 @@ def expression(x: Any) -> Expr:
         result = None
     if not isinstance(result, sp.Expr):
         raise InputError(f"{x!r} is not a number or a SymPy expression")
-    return result.xreplace({c: to_sympy(decimal(c), ()) for c in result.atoms(sp.Float)})
+    return in_fractions(result)
 
 
 class Problem:
@@ -141,8 +141,9 @@ class Problem:
                       if name in takes.parameters} | dict(unknowns)
             takes.bind(lam, **values)
         except (TypeError, ValueError):
-            raise InputError(f"the method equations of {kind} takes other arguments than λ and its "
-                             f"unknowns; write def equations({form})") from None
+            raise InputError(f"the method equations of {kind} takes other arguments than λ, the "
+                             "unknowns and the names in 'parameters'; write "
+                             f"def equations({form})") from None
         try:
             residuals = self.equations(lam, **values)
         except (NameError, AttributeError) as error:
@@ -236,25 +237,29 @@ class Problem:
     def check_time(self) -> None:
         """Refuse a scalar that stands with d/dτ only, as ω d/dτ, where no frequency is declared.
 
-        Each scalar is doubled and the clock slowed down by two: if that leaves the residuals of
-        some functions as they were, the two belong together.
+        Each scalar is doubled and the clock slowed down, by two or by √2: if that leaves the
+        residuals of some functions as they were, the scalar is a frequency or its square.
         """
         if "frequency" in self._declared():
             return
         for name, unknown in self.unknowns.items():
             if not isinstance(unknown, Scalar):
                 continue
-            plain, doubled, both = (self._sample({name: factor}, clock)
-                                    for factor, clock in ((1, 1), (2, 1), (2, 0.5)))
-            if np.allclose(plain, both, 1e-9) and not np.allclose(plain, doubled, 1e-9):
-                kind = type(self).__name__
-                raise InputError(f"{name} stands with derivatives only in {kind}, as the frequency "
-                                 f"in τ = {name}·{self.variable} does; declare frequency = "
-                                 f"{name!r} (or frequency = None, if {self.variable} is τ itself)")
+            try:
+                plain, doubled, *both = (self._sample({name: factor}, clock) for factor, clock
+                                         in ((1, 1), (2, 1), (2, 0.5), (2, 0.5**0.5)))
+            except AttributeError:                       # something that only series have
+                return
+            if any(np.allclose(plain, values, 1e-9) for values in both) \
+                    and not np.allclose(plain, doubled, 1e-9):
+                raise InputError(f"{name} stands with derivatives only in {type(self).__name__}, "
+                                 f"so it sets the time scale; write {name} d/dτ for "
+                                 f"d/d{self.variable} and declare frequency = {name!r} (or "
+                                 f"frequency = None, where {self.variable} is τ itself)")
 
     def _sample(self, factors: dict[str, float], clock: float) -> Array:
         """The residuals of some functions near the seed, the scalars times their factors."""
-        samples = Samples(16, 0.1, dict.fromkeys(self.parameters, 0.3))
+        samples = Samples(16, 0.7, dict.fromkeys(self.parameters, 0.3))
         samples.n = samples.n * clock
         unknowns = {}
         for i, (name, rows) in enumerate(self.first_coefficients().items()):

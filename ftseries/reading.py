@@ -24,7 +24,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from .aliases import Expr
-from .arguments import decimal
+from .conversion import in_fractions
 from .errors import InputError
 
 __all__ = ["Language", "name_of"]
@@ -151,8 +151,7 @@ class Language:
         """The expression in this language's symbols, decimals as fractions, values put in."""
         symbols = self.symbols | {name: sp.sympify(v) for name, v in self.values.items()}
         e = e.subs({s: symbols[s.name] for s in e.free_symbols if s.name in symbols})
-        decimals = {x: decimal(x) for x in e.atoms(sp.Float)}
-        return e.xreplace({x: sp.Rational(int(q.p), int(q.q)) for x, q in decimals.items()}).doit()
+        return in_fractions(e).doit()
 
     def _read(self, text: str, whole: str) -> Expr:
         """One side of an equation given as text."""
@@ -173,8 +172,8 @@ class Language:
                 raise InputError(f"{whole!r} contains λ, which is written {self.lam}")
             if name in calls:
                 instead = f": {_INSTEAD[name]}" if name in _INSTEAD else ""
-                raise InputError(f"{whole!r} contains the function {name}, which is not known here; "
-                                 f"use rational powers, sqrt, exp, sin and cos{instead}")
+                raise InputError(f"{whole!r} contains the function {name}, which is not known "
+                                 f"here; use rational powers, sqrt, exp, sin and cos{instead}")
         if strange:
             raise InputError(f"{whole!r} contains {', '.join(strange)}, which is neither "
                              "an unknown, a parameter, λ, the time nor a function known here (sin, "

@@ -6,21 +6,24 @@ det M(s) = 0 say what free motions near the state of rest u_0 do; only a pair s 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import sympy as sp
+from mpmath.libmp import NoConvergence
 from sympy.core.function import AppliedUndef
 
 from .aliases import Expr
-from .problem import Scalar
+from .problem import Field, Scalar
 
 if TYPE_CHECKING:
     from .symbolic import Equations
 
-__all__ = ["rates", "free_motions", "forced_motion"]
+__all__ = ["rates", "free_motions", "forced_motion", "wider"]
 
 #: a state of rest, field to value
-State = dict[str, Expr]
+State: TypeAlias = dict[str, Expr]
 
 #: below this the real or imaginary part of a computed rate counts as zero
 _SMALL = 1e-6
@@ -47,15 +50,20 @@ def rates(problem: Equations, state: State) -> list[complex] | None:
     polynomial = sp.expand(matrix.det())
     if polynomial.free_symbols != {s} or not polynomial.is_polynomial(s):
         return None
-    return [complex(root) for root in sp.Poly(polynomial, s).nroots(n=15, maxsteps=200)]
+    try:
+        return [complex(root) for root in sp.Poly(polynomial, s).nroots(n=15, maxsteps=200)]
+    except NoConvergence:
+        return None
 
 
 def free_motions(problem: Equations, states: list[State]) -> str | None:
     """Why nothing oscillates near the states of rest; None where something does."""
-    found = [(state, rates(problem, state)) for state in states]
-    for state, roots in found:
-        if roots is None or any(abs(r.real) < _SMALL < abs(r.imag) for r in roots):
+    found: list[tuple[State, list[complex]]] = []
+    for state in states:
+        roots = rates(problem, state)
+        if not roots or any(abs(r.real) < _SMALL < abs(r.imag) for r in roots):
             return None
+        found.append((state, roots))
     state, roots = max(found, key=lambda f: max(r.real for r in f[1]))
     where = ", ".join(f"{name} = {value}" for name, value in state.items())
     at = f"the state of rest {where}"
@@ -99,9 +107,29 @@ def forced_motion(problem: Equations, states: list[State]) -> str | None:
             for n in sorted({n for _, n in problem.forcing}):
                 if any(abs(r - 1j * n) < _SMALL for r in rates(problem, state) or ()):
                     return (f"a resonance: the forcing has the frequency {n} of a free motion, "
-                            "which it drives without bound; let the forcing begin at a higher power "
-                            "of λ where the equations have non-linear terms, as in "
+                            "which it drives without bound; let the forcing begin at a higher "
+                            "power of λ where the equations have non-linear terms, as in "
                             "x'' + x + x**3 = lam**3*cos(t), or let the frequency be unknown")
+    return None
+
+
+def wider(problem: Equations, solvable: Callable[[Equations], bool]) -> str | None:
+    """The ansatz that would do, where a wider one does."""
+    both = {"modes": "all", "powers": "all"}
+    choices: list[tuple[dict[str, Any], type]] = [
+        ({"modes": "all"}, Field), ({"powers": "all"}, Field), ({"series": "both"}, Field),
+        (both, Field), (both | {"series": "both"}, Field), ({"powers": "all"}, Scalar)]
+    for changes, kind in choices:
+        other = object.__new__(type(problem))               # copy() would ask for the seed
+        vars(other).update(vars(problem))
+        other.unknowns = {name: replace(u, **changes) if isinstance(u, kind) else u
+                          for name, u in problem.unknowns.items()}
+        if other.unknowns != problem.unknowns and solvable(other):
+            wanted = ", ".join(
+                f"give {name} " + " and ".join(f"{key}={value!r}" for key, value in changes.items()
+                                               if getattr(problem.unknowns[name], key) != value)
+                for name, u in other.unknowns.items() if u != problem.unknowns[name])
+            return f"the ansatz lacks modes or powers of the motion; {wanted}"
     return None
 
 

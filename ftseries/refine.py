@@ -37,8 +37,8 @@ _MARGIN = 8
 _NEGLIGIBLE, _NOISE = 1e-15, 1e-17          # of a mode, against the largest one
 _MORE_ROWS = 5                              # more equations than modes hold the last modes down
 _MOST_STEPS = 30
-#: what may be left of F, against the largest terms of J c
-_ROUNDING = 1e-8
+#: what may be left of F, in modes beyond those known, against the largest terms of J c
+_REST = 1e-3
 
 
 class Orbit:
@@ -211,7 +211,7 @@ class Collocation:
                 break
             if change < 1e-15 * np.abs(x).max() or (change < 1e-10 and change > before / 4):
                 rest = np.abs(self(x, np.asarray(lam), condition)).max()
-                if rest <= _ROUNDING * np.abs(matrix).max() * np.abs(trial).max():
+                if rest <= _REST * (np.abs(matrix) @ np.abs(trial)).max():
                     return x, float(lam), step
                 break
             before = change

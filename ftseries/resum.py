@@ -112,10 +112,10 @@ class Resummed:
         """Warn where the error of the sum is not small."""
         error, size = self.error(name, lam), sum(map(np.abs, amplitude.values()))
         if np.any(error > SMALL * size):
-            worst = np.argmax(error / size)
-            warn(f"the Padé sum of {name!r} is not determined at λ = {np.ravel(lam)[worst]:g}: its "
-                 f"error() there is {np.ravel(error)[worst]:.2g}, its size "
-                 f"{np.ravel(size)[worst]:.2g}; take a higher order or a smaller λ")
+            worst = np.argmax(error - SMALL * size)
+            at, error, size = (np.ravel(a)[worst] for a in (real("lam", lam), error, size))
+            warn(f"the Padé sum of {name!r} is not determined at λ = {at:g}: its error() there is "
+                 f"{error:.2g}, its size {size:.2g}; take a higher order or a smaller λ")
 
     def error(self, name: str, lam: ArrayLike) -> Real:
         """Σ_n of the uncertainty of A_n(λ): an estimate, not a bound; see :func:`uncertainty`.

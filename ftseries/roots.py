@@ -23,7 +23,7 @@ __all__ = ["Roots", "vanishes"]
 Found: TypeAlias = dict[Expr, Expr]
 
 #: the largest number of solutions (by Bézout) of a system that is tried, and of steps
-_BEZOUT = 200
+_BEZOUT = 10
 _STEPS = 300
 
 

@@ -1,7 +1,7 @@
 r"""Seeds: the first terms of the unknowns, and the units in which all numbers become rational.
 
-Formula.  With x = s X, ω = s_ω Ω and λ = l Λ, a term c λ^m of x is (c l^m / s) Λ^m of X.  The scale s
-is an irrational leading c l^m; the unit l is 1, or what makes another c l^m / s, or an amplitude
+Formula.  With x = s X, ω = s_ω Ω and λ = l Λ, a term c λ^m of x is (c l^m / s) Λ^m of X.  The scale
+s is an irrational leading c l^m; the unit l is 1, or what makes another c l^m / s, or an amplitude
 itself, rational.
 """
 
@@ -89,8 +89,8 @@ def measured(problem: Equations, terms: Terms,
             for mode, number in row.items():
                 if not number.is_Rational:
                     raise InputError(
-                        f"the seed of {name} has the number {orders[m][mode]} beside {leading}, and "
-                        "their ratio is not rational; measure the unknown in other units")
+                        f"the seed of {name} has the number {orders[m][mode]} beside {leading}, "
+                        "and their ratio is not rational; measure the unknown in other units")
             rows.append(row)
         scalar = isinstance(problem.unknowns[name], Scalar)
         seed[name] = [row.get((0, 0), 0) for row in rows] if scalar else rows

@@ -112,8 +112,8 @@ class Sequences(Values):
         try:
             return analysis.nearest_singularities(c)
         except InputError:
-            raise InputError(f"mode {n} of {name!r} shows no singularity at order {self.order}: it "
-                             f"has too few coefficients, or its function has none; try order="
+            raise InputError(f"{name!r} shows no singularity at order {self.order}: it has too few "
+                             "coefficients, or its function has none; try order="
                              f"{max(2 * self.order, _COEFFICIENTS * step)}") from None
 
     def branch_point(self, name: str, n: int = 0, sine: bool | None = None,

@@ -45,7 +45,7 @@ Operand: TypeAlias = "Series | Exact"
 WINDOW = 3
 
 
-class NotSymPy(InputError, SympifyError):
+class NotSymPy(InputError, SympifyError):  # type: ignore[misc]   # SymPy has no types
     """SymPy's own numbers step back at this one, so that Rational(1, 3) * x is a series."""
 
     __str__ = ValueError.__str__

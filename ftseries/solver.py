@@ -84,12 +84,12 @@ def solve(problem: Problem, order: int, arithmetic: str = "exact", precision: in
                          "arithmetic='exact' can carry; give it a value in "
                          f"{type(problem).__name__}")
     seed = problem.first_coefficients()
-    problem.check_time()
     _check_memory(problem, order, arithmetic, precision)
     ring: Ring = _exact_ring(problem)
     known = _converted(seed, ring)
     asked, order = order, max(order, *(len(rows) for rows in seed.values()))    # checks the seed
     linear = LinearPart(problem, ring, known, order + LATEST + problem.ahead)
+    problem.check_time()
     lead = order if arithmetic == "exact" else min(order, LEAD)
     bar = tqdm(total=order, desc=f"order of {type(problem).__name__}", delay=10, leave=False,
                disable=not progress)

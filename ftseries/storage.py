@@ -110,6 +110,16 @@ def _contents(data: dict[str, Json], problem: Problem | None) -> Contents:
     return problem, arithmetic, order, coefficients, data["precision"]
 
 
+class _BallsAt(BallRing):
+    """Balls, with a number in the place of each free parameter."""
+
+    def __init__(self, point: dict[str, fmpq]) -> None:
+        self.point, self.names = point, tuple(point)
+
+    def parameter(self, name: str) -> arb:
+        return self.number(self.point[name])
+
+
 def _check_arguments(kind: type[Problem]) -> None:
     """Refuse a constructor with arguments that :meth:`Problem.arguments` does not know."""
     def owner(name: str) -> int:
@@ -137,15 +147,12 @@ def _check_equations(problem: Problem, arithmetic: str, coefficients: Coefficien
     """Refuse coefficients that contradict the first orders of the equations."""
     first = {name: rows[:_CHECKED + 1] for name, rows in coefficients.items()}
     top = min(map(len, first.values())) - 1
-    point = [fmpq(i + 3, 10) for i in range(len(problem.parameters))]     # numbers are quicker
-    ring: FloatRing | BallRing = BallRing()
-    if arithmetic == "float":
-        ring = FloatRing(degree=top + problem.ahead, order=top)
-    ring.names = problem.parameters
+    ring = FloatRing(degree=top + problem.ahead, order=top) if arithmetic == "float" else \
+        _BallsAt({name: fmpq(i + 3, 10) for i, name in enumerate(problem.parameters)})
+    point = list(ring.point.values()) if isinstance(ring, _BallsAt) else []
     with ctx.workprec(precision or _BITS):
         known = {name: [{mode: ring.number(at(c, point)) for mode, c in row.items()}
                         for row in rows] for name, rows in first.items()}
-        ring.parameter = lambda name: ring.number(point[problem.parameters.index(name)])
         found = contradiction(problem, ring, known, top)
     if found:
         equation, order = found

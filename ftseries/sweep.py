@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import as_completed
+from concurrent.futures import BrokenExecutor, as_completed
 from typing import TYPE_CHECKING, Any
 
 from tqdm import tqdm
@@ -63,8 +63,10 @@ def sweep(make_problem: Callable[[Any], Problem], values: Iterable[Any], order: 
     Returns
     -------
     list
-        A :class:`ftseries.Solution` for each value, in order; a :class:`Failure` where the solve
-        failed, so that one bad value does not lose the others.
+        A :class:`ftseries.Solution` for each value, in order; a :class:`Failure` where the problem
+        cannot be made or solved, so that one bad value does not lose the others.  An error that
+        is none of ftseries's is raised if no value has a solution: then it is a mistake in
+        ``make_problem``.
 
     Examples
     --------
@@ -73,10 +75,27 @@ def sweep(make_problem: Callable[[Any], Problem], values: Iterable[Any], order: 
     >>> found[0].coefficient("omega", 2), bool(found[1]), found[2].coefficient("omega", 0)
     (-sqrt(3)/24, False, 4*sqrt(3))
     """
-    values = list(values)
+    if not callable(make_problem):
+        raise InputError(f"make_problem={make_problem!r} is not a function of one value; give one, "
+                         "such as fts.CubicOscillator, without brackets")
+    try:
+        values = list(values)
+    except TypeError:
+        raise InputError(f"values={values!r} is not a list of values; give one, such as "
+                         f"[{values!r}]") from None
     if executor is not None and not hasattr(executor, "submit"):
         raise InputError(f"executor={executor!r} has no method submit; give one like those of "
                          "concurrent.futures")
+    results = _results(make_problem, values, order, executor, progress, options)
+    if not any(results):
+        for failure in results:
+            if not isinstance(failure.error, FTSeriesError | BrokenExecutor):
+                raise failure.error
+    return results
+
+
+def _results(make_problem: Callable[[Any], Problem], values: list[Any], order: int, executor: Any,
+             progress: bool, options: dict[str, Any]) -> list[Any]:
     results: list[Any] = [None] * len(values)
     with tqdm(total=len(values), desc="sweep", delay=10, leave=False, disable=not progress) as bar:
         if executor is None:
@@ -107,5 +126,5 @@ def _one(make_problem: Callable[[Any], Problem], value: Any, order: int,
          options: dict[str, Any]) -> Solution | Failure:
     try:
         return solve(make_problem(value), order, progress=False, **options)
-    except FTSeriesError as error:
+    except Exception as error:
         return Failure(value, error)

@@ -198,7 +198,7 @@ class Equations(Problem):
     def _begin(self, seed: Any) -> None:
         """Set ``seed``, ``scales`` and ``lam_scale`` so that the equations become rational."""
         self.seed_texts, terms = read(self, seed)
-        refusal = None
+        refusals = []
         for unit in units(terms):
             try:
                 self.seed, self.scales = measured(self, terms, unit)
@@ -206,8 +206,8 @@ class Equations(Problem):
                 self._translate()
                 return
             except InputError as error:
-                refusal = refusal or error
-        raise refusal or InputError(f"seed={seed!r} is empty; give first terms")
+                refusals.append(error)
+        raise refusals[0]
 
     def _choose(self, seeds: list[dict[str, Expr]], choice: int | None) -> dict[str, Expr]:
         """One of the first steps; refuses those whose coefficients are rational in no units."""

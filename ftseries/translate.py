@@ -12,8 +12,8 @@ exp, sin, cos         the same, of an argument that vanishes at λ = 0
 ====================  ==================================
 
 A subexpression is translated to (factor, function): the SymPy number ``factor`` collects the
-scales and the unit, the function builds the rest from series.  Terms of a sum must have rational ratios of their
-factors; anything else is refused by name.  No term is ever dropped.
+scales and the unit, the function builds the rest from series.  Terms of a sum must have rational
+ratios of their factors; anything else is refused by name.  No term is ever dropped.
 """
 
 from __future__ import annotations

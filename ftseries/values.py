@@ -78,6 +78,7 @@ class Values:
         >>> round(sol.evaluate("omega", lam=0.5), 13), sol.evaluate("x", [0.0, 0.1], lam=0.5).shape
         (3.4458763864723, (2,))
         >>> round(sol.evaluate("x", 0.3, lam=0.5, derivative=1), 10)                 # x'(0.3)
+        -1.3518076837
         """
         t = evaluation.times(self.problem, name, t, derivative)
         self._check_parameters(parameters)

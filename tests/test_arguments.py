@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 import sympy as sp
 from flint import fmpq
+from hypothesis import given
+from hypothesis import strategies as st
 
-from ftseries.arguments import rational, real, scalar, scalars, whole
+from ftseries.arguments import decimal, rational, real, scalar, scalars, whole
 from ftseries.errors import InputError
 
 
@@ -36,7 +38,7 @@ def test_a_long_mantissa_is_kept():
     assert rational(sp.Float("0.1", 40)) != rational(0.1)
 
 
-@pytest.mark.parametrize("value", ["x", 1j, [[1], [1, 2]]])
+@pytest.mark.parametrize("value", ["x", 1j, [[1], [1, 2]], True, [True, False]])
 def test_what_is_not_real(value):
     with pytest.raises(InputError, match="^z=.* is not a real number or an array of them$"):
         real("z", value)
@@ -77,3 +79,27 @@ def test_without_an_upper_end_any_whole_number_will_do():
     for value in (-1, False, True):
         with pytest.raises(InputError, match="of at least 0$"):
             whole("n", value)
+
+
+@pytest.mark.parametrize("value, text", [
+    (0.3, "3/10"), (np.float64(0.3), "3/10"), (np.float32(0.3), "3/10"), (1e-7, "1/10000000"),
+    (1 / 3, "3333333333333333/10000000000000000"), (-2.5, "-5/2"), (7, "7"), ("0.30", "3/10"),
+    (0.1 + 0.2, "7500000000000001/25000000000000000"), (sp.Float(0.3), "3/10"),
+    (mpmath.mpf(0.3), "3/10"), (Fraction(1, 3), "1/3"), (sp.Rational(2, 7), "2/7"),
+    (sp.Float("0.1234567890123456789012", 25), "308641972530864197253/2500000000000000000000"),
+])
+def test_a_float_is_the_decimal_that_it_looks_like(value, text):
+    assert str(decimal(value)) == text
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False))
+def test_every_float_is_its_shortest_decimal(x):
+    f = Fraction(repr(x))
+    assert (decimal(x) == decimal(sp.Float(x)) == decimal(mpmath.mpf(x))
+            == fmpq(f.numerator, f.denominator))
+
+
+@pytest.mark.parametrize("value", ["x", None, 1j, float("nan"), np.inf, mpmath.inf, sp.nan, sp.oo])
+def test_what_is_not_decimal(value):
+    with pytest.raises(InputError, match="is not a rational number"):
+        decimal(value)

@@ -366,12 +366,13 @@ def test_a_parameter_where_coefficients_would_not_be_polynomials(force, words):
     (("x", 1, 2, 3), "coefficient('x', n, m)"),
     (("omega",), "coefficient('omega', m)"),
     (("omega", 1, 2), "coefficient('omega', m)"),
-    (("x", -1, 2), "order=-1"),
-    (("x", 1, -2), "order=-2"),
-    (("x", 1.0, 2), "order=1.0"),
-    (("x", True, 2), "order=True"),
-    (("x", None, 2), "order=None"),
-    (("x", "1", 2), "order='1'"),
+    (("x", -1, 2), "n=-1: give a whole number"),
+    (("x", 1, -2), "m=-2: give a whole number"),
+    (("omega", -2), "m=-2: give a whole number"),
+    (("x", 1.0, 2), "n=1.0"),
+    (("x", True, 2), "n=True"),
+    (("x", None, 2), "n=None"),
+    (("x", "1", 2), "n='1'"),
 ])
 def test_a_coefficient_that_is_not_there(cubic, arguments, words):
     refused(lambda: cubic.coefficient(*arguments), InputError, words)
@@ -389,7 +390,7 @@ def test_cosine_or_sine_must_be_said_where_there_are_both():
     ([0, -math.inf], 0.5, "t contains"), (0, math.nan, "lam contains"),
     (0, math.inf, "lam contains"), (0, [0.1, math.nan], "lam contains"),
     (0, None, "lam"), ("x", 0.5, "t='x'"), (0, "x", "lam='x'"), (1j, 0.5, "t=1j"),
-    (0, 0.5j, "lam=0.5j"), ([[1], [1, 2]], 0.5, "t=[[1], [1, 2]]"),
+    (0, 0.5j, "lam=0.5j"), ([[1], [1, 2]], 0.5, "t=[[1], [1, 2]]"), (0, True, "lam=True"),
     ([1, 2], [0.1, 0.2, 0.3], "do not broadcast"),
 ])
 def test_bad_t_and_lambda(cubic, t, lam, words, dps):
@@ -400,6 +401,13 @@ def test_bad_t_and_lambda(cubic, t, lam, words, dps):
     (lambda sol: sol.evaluate("x", lam=0.5), "depends on time"),
     (lambda sol: sol.evaluate("omega", 0, lam=0.5), "leave t out"),
     (lambda sol: sol.evaluate("z", 0, lam=0.5), "'z' is not an unknown"),
+    (lambda sol: sol.evaluate("x'", 0, lam=0.5), "derivative=1"),
+    (lambda sol: sol.evaluate("x", 0, lam=0.5, derivative=-1), "derivative=-1"),
+    (lambda sol: sol.evaluate("x", 0, lam=0.5, derivative=0.5), "derivative=0.5"),
+    (lambda sol: sol.evaluate("omega", lam=0.5, derivative=1), "leave derivative out"),
+    (lambda sol: sol.branch_point("x", "3"), "n='3': give a whole number"),
+    (lambda sol: sol.sequence("x", -1), "n=-1: give a whole number"),
+    (lambda sol: sol.error_estimate("x", [0.1, 0.2]), "lam=[0.1, 0.2]: give one number"),
     (lambda sol: sol.evaluate("x", 0, lam=0.5, mu=1), "given: mu"),
     (lambda sol: sol.truncate(7), "cannot cut at order 7"),
     (lambda sol: sol.truncate(-1), "order=-1"),

@@ -67,6 +67,13 @@ def test_expand_in_every_arithmetic(eight, hill):
     assert (step, first, square[0]) == (2, 2, fmpq(1, 2))               # λ² sin² x
 
 
+@pytest.mark.parametrize("function", [lambda r: r * r, "r*r", 3, lambda lam, r: r, max,
+                                      lambda lam, r, phi, more: r])
+def test_expand_refuses_what_does_not_take_all_unknowns(eight, function):
+    with pytest.raises(fts.InputError, match="give one like lambda lam, r, phi: …"):
+        eight.expand(function)
+
+
 def test_expand_refuses_what_is_not_a_series(eight):
     with pytest.raises(fts.InputError, match="must return a series"):
         eight.expand(lambda lam, r, phi: 3)
@@ -168,7 +175,9 @@ def test_error_estimate_of_the_eight(eight, long_eight):
 
 
 @pytest.mark.parametrize("call, word", [
-    (lambda s: s.truncate(8).radius_of_convergence("x"), "too few"),
+    (lambda s: s.truncate(8).radius_of_convergence("x"), "too few .* at order 8 .* try order=20"),
+    (lambda s: s.truncate(20).radius_of_convergence("omega"), "at order 20: .* try order=40"),
+    (lambda s: s.truncate(16).error_estimate("omega", 0.1), "at order 16: .* try order=40"),
     (lambda s: s.truncate(8).radius_of_convergence("omega"), "too few"),
     (lambda s: s.truncate(8).singularities("x", 1), "too few"),
     (lambda s: s.sequence("x", 61), "no coefficients"),

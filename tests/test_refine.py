@@ -6,6 +6,8 @@ import warnings
 import numpy as np
 import pytest
 
+from sample_problems import Duffing
+
 import ftseries as fts
 from ftseries.references import cubic, mathieu, newton
 
@@ -97,6 +99,30 @@ def test_another_branch_is_announced():
 def test_what_cannot_be_refined_is_refused(eight, call, error, word):
     with pytest.raises(error, match=word):
         call(eight)
+
+
+def test_what_is_no_orbit_is_refused_and_rest_is_one():
+    """At λ = 10⁶ the series is nonsense; the end of Newton's method must not be called an orbit."""
+    sol = fts.solve(Duffing(), 20)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for order in (4, 10, 20):
+            with pytest.raises(fts.SolveError, match=r"does not converge at λ = 1e\+06"):
+                sol.truncate(order).refine(1e6)
+        rest = sol.refine(0)
+    assert rest.evaluate("omega") == 1 and rest.evaluate("x", 0.3) == 0
+
+
+def test_velocity_of_an_orbit():
+    """(C2): x″ = 6x² - 2(3 + λ²) and x′² = 4x³ - 4x(3 + λ²) - 8 + 8λ² at a = 1."""
+    orbit, lam = fts.solve(fts.CubicOscillator(a=1), order=12).refine(2.5), 2.5
+    x, v, a = (orbit.evaluate("x", T, derivative=k) for k in range(3))
+    assert np.abs(v**2 - (4 * x**3 - 4 * x * (3 + lam**2) - 8 + 8 * lam**2)).max() < 1e-10
+    assert np.abs(a - (6 * x**2 - 2 * (3 + lam**2))).max() < 1e-10
+    assert type(orbit.evaluate("x", 0.1)) is type(orbit.evaluate("omega")) is float
+    assert type(orbit.coefficients["x"][0, 1]) is float
+    with pytest.raises(fts.InputError, match="'y' is not an unknown"):
+        orbit.evaluate("y", 0.1)
 
 
 def test_a_family_is_followed_from_force_to_force(eight):

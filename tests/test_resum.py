@@ -5,6 +5,8 @@ import warnings
 import numpy as np
 import pytest
 
+from sample_problems import Duffing
+
 import ftseries as fts
 from ftseries.references import cubic, mathieu, newton
 from ftseries.resum import at_phase
@@ -113,6 +115,31 @@ def test_bad_input_is_refused(oscillator, hill):
         oscillator.resum().evaluate("x", 0.0, lam=np.nan)
     with pytest.raises(fts.InputError, match="not an unknown"):
         oscillator.resum().evaluate("y", 0.0, lam=1)
+
+
+def test_a_sum_that_is_not_determined_is_announced():
+    padé = fts.solve(Duffing(), 40).resum()
+    for name, t in (("omega", None), ("x", 0.3)):
+        with pytest.warns(fts.ConvergenceWarning, match="'omega' is not determined at λ = 100: "):
+            padé.evaluate(name, t, lam=[0.5, 100.0])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        value = padé.evaluate("omega", lam=3)            # beyond the radius 1.2, and good
+    assert type(value) is type(padé.error("omega", 3)) is float
+    assert 0 < padé.error("omega", 3) < 1e-4
+    with pytest.raises(fts.InputError, match="'y' is not an unknown"):
+        padé.error("y", 1)
+
+
+def test_velocity_beyond_the_radius(hill):
+    """ψ″ = (λ² cos 2x - a) ψ, from the equation of Mathieu at q = λ²/2."""
+    padé, lam = hill.resum(mu=0), 3.0
+    psi, slope, second = (padé.evaluate("psi", T, lam=lam, derivative=k) for k in range(3))
+    a = padé.evaluate("a", lam=lam)
+    assert np.abs(second - (lam**2 * np.cos(2 * T) - a) * psi).max() < 1e-3 * np.abs(psi).max()
+    h = 1e-5
+    near = [padé.evaluate("psi", T + s, lam=lam) for s in (h, -h)]
+    assert slope == pytest.approx((near[0] - near[1]) / (2 * h), abs=1e-8)   # h² and rounding / h
 
 
 def test_a_field_at_one_phase():

@@ -350,3 +350,41 @@ def test_progress_reports_every_order(monkeypatch):
     seen.clear()
     fts.solve(fts.FigureEight(), 30, "float", progress=False)
     assert seen[0]["disable"] and sum(seen[1:]) == 30
+
+
+class Staggered(Problem):
+    """Three linear equations that agree at λ = 0: what one order leaves open, the next two settle.
+
+    The solution is p = 1/(1 - λ), q = √(1 + λ), r = e^λ, from which the right sides are made.
+    """
+
+    unknowns = {"p": fts.Scalar(), "q": fts.Scalar(), "r": fts.Scalar()}
+    seed = {"p": [1], "q": [1], "r": [1]}
+
+    def equations(self, lam, p, q, r):
+        def left(p, q, r):
+            first = p + 2 * q + 3 * r
+            return {"(1)": first, "(2)": first + lam * (p - q + 2 * r) + lam**2 * q,
+                    "(3)": first + lam * (2 * p - 2 * q + 4 * r) + lam**2 * (2 * p + 3 * q - r)}
+        right = left((1 - lam) ** -1, (1 + lam) ** sp.Rational(1, 2), fts.exp(lam))
+        return {name: value - right[name] for name, value in left(p, q, r).items()}
+
+
+def test_what_several_orders_leave_open_is_settled_together():
+    solution, lam = fts.solve(Staggered(), order=12), sp.Symbol("lam")
+    for name, f in (("p", 1 / (1 - lam)), ("q", sp.sqrt(1 + lam)), ("r", sp.exp(lam))):
+        taylor = sp.series(f, lam, 0, 13).removeO()
+        assert [solution.coefficient(name, m) for m in range(13)] == [
+            taylor.coeff(lam, m) for m in range(13)]
+
+
+@pytest.mark.parametrize("arithmetic, order, said", [
+    ("float", 72, "stay below about 73"), ("exact", 25, "stay below about 26"),
+    ("ball", 20, "and precision=128 stay below about 21"),
+])
+def test_the_largest_order_for_a_memory_of_one_mebibyte(monkeypatch, arithmetic, order, said):
+    """2 unknowns · 24 nodes · (order + 1)²/2 numbers of 8, 64 and 64 + 128/4 bytes."""
+    monkeypatch.setattr("os.sysconf", {"SC_PAGE_SIZE": 4096, "SC_PHYS_PAGES": 256}.__getitem__)
+    assert fts.solve(fts.CubicOscillator(), order, arithmetic).order == order
+    with pytest.raises(fts.FTSeriesError, match=said):
+        fts.solve(fts.CubicOscillator(), order + 1, arithmetic)

@@ -134,7 +134,8 @@ def test_a_changed_file_is_refused(saved, change):
     (lambda d: d["coefficients"]["x"].pop(), "instead of 4"),
     (lambda d: d["coefficients"].pop("omega"), "damaged"),
     (lambda d: d.__setitem__("arithmetic", "decimal"), "damaged"),
-    (lambda d: d["problem"].__setitem__("arguments", {"b": 1}), "damaged"),
+    (lambda d: d["problem"].__setitem__("arguments", {"b": 1}),
+     r"^Duffing\(b=1\) cannot be made again .*give load\(path, problem=…\)$"),
     (lambda d: d["problem"].__setitem__("name", "Unheard"), "'Unheard', which is not known here"),
     (lambda d: d.pop("problem"), "damaged"),
     (lambda d: d.__setitem__("coefficients", []), "damaged"),
@@ -195,6 +196,89 @@ def test_the_problem_must_fit(tmp_path):
         fts.load(path, problem=fts.CubicOscillator(2))
     with pytest.raises(FileError, match="not of 3"):
         fts.load(path, problem=3)
+
+
+def spring(force, **attributes):
+    """A problem with a constructor, as a reader may write it (and write it anew)."""
+    def __init__(self, b):
+        self.b = b
+
+    def equations(self, lam, x, omega):
+        return {"(spring)": omega**2 * x.diff(2) + x + self.b * force(x)}
+    return type("Spring", (Duffing,), {"__init__": __init__, "equations": equations} | attributes)
+
+
+@pytest.fixture
+def forget_spring():
+    yield
+    fts.Problem.classes.pop("Spring", None)
+
+
+ARGUMENTS = {"arguments": lambda self: {"b": self.b}}
+
+
+def test_a_problem_that_does_not_say_its_arguments_is_not_saved(tmp_path, forget_spring):
+    solution = fts.solve(spring(lambda x: x**3)(2), 4)
+    with pytest.raises(FileError, match="^a solution of Spring cannot be saved, because it does "
+                                        "not say which b it was made with; define its method "
+                                        r"arguments, such as def arguments\(self\): return "
+                                        "{'b': self.b}$"):
+        solution.save(tmp_path / "s.json")
+    assert list(tmp_path.iterdir()) == []
+    derived = type("Spring", (fts.CubicOscillator,),
+                   {"__init__": lambda self, a, b: fts.CubicOscillator.__init__(self, a)})
+    with pytest.raises(FileError, match="which a, b it was made with"):
+        fts.solve(derived(1, 2), 2).save(tmp_path / "s.json")
+
+
+def test_a_problem_with_arguments_comes_back(tmp_path, forget_spring):
+    kind, path = spring(lambda x: x**3, **ARGUMENTS), tmp_path / "s.json"
+    solution = fts.solve(kind(2), 6)
+    solution.save(path)
+    assert fts.load(path).coefficients == solution.coefficients and fts.load(path).problem.b == 2
+    with pytest.raises(FileError, match=r"of Spring\(b=2\), not of Spring\(b=3\)"):
+        fts.load(path, problem=kind(3))
+    spring(lambda x: x**3)                                   # now it is not known how to make one
+    fts.Problem.classes["Spring"] = type("Spring", (Duffing,), {})
+    with pytest.raises(FileError, match=r"^Spring\(b=2\) cannot be made again"):
+        fts.load(path)
+    assert fts.load(path, problem=kind(2)).order == 6
+
+
+@pytest.mark.parametrize("arithmetic", ["exact", "float", "ball"])
+@pytest.mark.parametrize("force, order", [(lambda x: x**3 / 2, 3), (lambda x: x**3 + x**5, 5),
+                                          (lambda x: x + x**3, 1), (lambda x: x**3 + x**8, 8)])
+def test_a_class_that_was_changed_since(tmp_path, forget_spring, arithmetic, force, order):
+    path = tmp_path / "s.json"
+    old = spring(lambda x: x**3, **ARGUMENTS)
+    fts.solve(old(2), 12, arithmetic).save(path)
+    new = spring(force, **ARGUMENTS)
+    for problem in (None, new(2)):
+        with pytest.raises(FileError, match=r"^the coefficients in the file contradict equation "
+                                            rf"\(spring\) of Spring\(b=2\) at order {order} of λ"):
+            fts.load(path, problem=problem)
+    assert fts.load(path, problem=old(2)).order == 12
+
+
+def test_a_class_with_a_free_parameter_that_was_changed_since(tmp_path, forget_spring):
+    def mass(force):
+        return type("Spring", (Duffing,), {"parameters": ("mu",), "equations": lambda
+                    self, lam, x, omega, mu: {"(s)": omega**2 * x.diff(2) + x + force(x, mu)}})
+    path = tmp_path / "s.json"
+    fts.solve(mass(lambda x, mu: mu * x**3)(), 4).save(path)
+    assert str(fts.load(path).coefficient("omega", 2)) == "3*mu/8"
+    mass(lambda x, mu: mu**2 * x**3)
+    with pytest.raises(FileError, match=r"contradict equation \(s\) of Spring\(\) at order 3"):
+        fts.load(path)
+
+
+@pytest.mark.parametrize("path", [None, 7, 1.5, ["a"]])
+def test_what_is_no_path(path):
+    words = r"is not the name of a file; give a text such as 'solution.json' or a Path$"
+    with pytest.raises(FileError, match=words):
+        fts.load(path)
+    with pytest.raises(FileError, match=words):
+        fts.solve(Duffing(), 1).save(path)
 
 
 def test_a_file_executes_nothing(tmp_path):

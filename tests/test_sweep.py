@@ -125,6 +125,24 @@ def test_a_mistake_in_the_function_is_not_hidden_as_a_missing_solution():
         fts.sweep(broken, [1], 2, progress=False)
 
 
+@pytest.mark.parametrize("where", [None, ThreadPoolExecutor(1)])
+def test_a_mistake_at_one_value_does_not_lose_the_others(where):
+    found = fts.sweep(sometimes_broken, [1, 4], 2, executor=where, progress=False)
+    assert repr(found[0]).startswith("<no solution at 1: ZeroDivisionError: ")
+    assert found[1].coefficient("omega", 0) ** 2 == 48
+    with pytest.raises(ZeroDivisionError):
+        fts.sweep(sometimes_broken, [1], 2, executor=where, progress=False)
+
+
+@pytest.mark.parametrize("make, values, message", [
+    (fts.CubicOscillator(1), [1], r"make_problem=CubicOscillator\(a=1\) is not a function .*without"),
+    (fts.CubicOscillator, 1, r"values=1 is not a list of values; give one, such as \[1\]"),
+])
+def test_what_cannot_be_swept(make, values, message):
+    with pytest.raises(fts.InputError, match=message):
+        fts.sweep(make, values, 4)
+
+
 def test_an_executor_without_submit():
     with pytest.raises(fts.InputError, match="executor=2 has no method submit; give one like"):
         fts.sweep(fts.CubicOscillator, [1], 2, executor=2)

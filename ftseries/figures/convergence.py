@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 
 from ..aliases import ArrayLike
 from ..analysis import domb_sykes
+from ..arguments import labelled
 from .style import BLUE, COLOURS, GREEN, GREY, LINES, PURPLE, VERMILION
 
 __all__ = ["ratios", "approach", "plane", "radius", "oscillation", "errors"]
@@ -29,7 +30,8 @@ def ratios(left: Axes, right: Axes, sequences: Mapping[str, Sequence[Any]], limi
     >>> right.lines[0].get_ydata().round(12).tolist()
     [-0.5, -0.333333333333, -0.25]
     """
-    for (label, c), colour, mark in zip(sequences.items(), COLOURS, _MARKS, strict=False):
+    for (label, c), colour, mark in zip(labelled("sequences", sequences).items(), COLOURS, _MARKS,
+                                        strict=False):
         x, y = np.transpose(domb_sykes(c))
         look: dict[str, Any] = {"color": colour, "marker": mark, "ms": 5, "mfc": "none",
                                 "ls": "none"}
@@ -45,8 +47,8 @@ def ratios(left: Axes, right: Axes, sequences: Mapping[str, Sequence[Any]], limi
 
 def approach(ax: Axes, distance: ArrayLike, errors: Any, label: str) -> None:
     """Errors over the distance from a singularity, both logarithmic; ``errors``: dict of arrays."""
-    for (name, values), colour, line, mark in zip(errors.items(), COLOURS, LINES, _MARKS,
-                                                  strict=False):
+    for (name, values), colour, line, mark in zip(labelled("errors", errors).items(), COLOURS,
+                                                  LINES, _MARKS, strict=False):
         ax.loglog(distance, np.maximum(values, 1e-17), color=colour, ls=line, marker=mark, ms=4,
                   label=name)
     ax.invert_xaxis()
@@ -69,7 +71,8 @@ def plane(ax: Axes, singularities: Sequence[complex], poles: ArrayLike = (),
     places = np.asarray(singularities, dtype=complex)
     ax.plot(places.real, places.imag, "o", color=VERMILION, ms=9, mfc="none", mew=2, ls="none",
             label="branch points")
-    for (name, z), mark in zip((inside or {}).items(), ("*", "P"), strict=False):
+    inside = labelled("inside", inside or {})
+    for (name, z), mark in zip(inside.items(), ("*", "P"), strict=False):
         ax.plot([z.real], [z.imag], mark, color=GREEN, ms=12, ls="none", label=name)
     span = span or 1.6 * abs(singularities[0])
     ax.set(xlim=(-span, span), ylim=(-span, span), aspect="equal", xlabel=f"Re {label}",
@@ -101,7 +104,8 @@ def errors(ax: Axes, curves: Mapping[str, tuple[ArrayLike, ArrayLike]],
            label: str = "largest distance") -> None:
     """Errors over the order; ``curves`` maps a label to (orders, errors)."""
     for (name, (orders, values)), colour, line, mark in zip(
-            curves.items(), (BLUE, VERMILION, GREEN, PURPLE), LINES, _MARKS, strict=False):
+            labelled("curves", curves).items(), (BLUE, VERMILION, GREEN, PURPLE), LINES, _MARKS,
+            strict=False):
         ax.semilogy(orders, values, color=colour, ls=line, marker=mark, ms=4, label=name)
     ax.set(xlabel="order $n$", ylabel=label)
     ax.legend()

@@ -16,6 +16,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 
 from ..aliases import Array, ArrayLike, ComplexArray
+from ..arguments import labelled
 from ..errors import ConvergenceWarning
 from ..problems import figure_eight as eight
 from .style import BLUE, COLOURS, GREEN, GREY, LINES, VERMILION
@@ -49,8 +50,8 @@ def choreography(ax: Axes, positions: Callable[[Any], ComplexArray]) -> None:
 
 def orbits(ax: Axes, curves: Mapping[str, ComplexArray]) -> None:
     """Upright orbits on top of one another; ``curves`` maps labels to closed curves."""
-    for (label, z), colour, line in zip(curves.items(), (BLUE, VERMILION, GREEN), LINES,
-                                        strict=False):
+    for (label, z), colour, line in zip(labelled("curves", curves).items(),
+                                        (BLUE, VERMILION, GREEN), LINES, strict=False):
         _orbit(ax, np.append(z, z[0]), color=colour, ls=line, label=label)
     _plane(ax, "$x$", "$y$")
     ax.set_xticks([-0.3, 0, 0.3])
@@ -117,7 +118,8 @@ def drift(ax: Axes, lam: Array, spreads: Mapping[str, ArrayLike]) -> None:
 
     ``spreads`` maps a name to values over ``lam``.
     """
-    for (name, values), colour, line in zip(spreads.items(), COLOURS, LINES, strict=False):
+    for (name, values), colour, line in zip(labelled("spreads", spreads).items(), COLOURS, LINES,
+                                            strict=False):
         ax.semilogy(lam, values, color=colour, ls=line, label=name)
     ax.set(xlabel=r"$\lambda$", ylabel="greatest minus least value in a period",
            xlim=(lam[0], lam[-1]))

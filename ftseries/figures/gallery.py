@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..aliases import ArrayLike
+from ..arguments import labelled
 from .style import COLOURS, GREY, LINES
 
 __all__ = ["curves", "orbits", "plane"]
@@ -35,7 +36,7 @@ def curves(ax: Axes, x: ArrayLike, named: Mapping[str, ArrayLike],
     >>> len(ax.lines)
     2
     """
-    for (label, y), colour, line in zip(named.items(), COLOURS, LINES):
+    for (label, y), colour, line in zip(labelled("named", named).items(), COLOURS, LINES):
         ax.plot(x, y, label=label, color=colour, linestyle=line)
     if points:
         ax.plot(*zip(*points), "o", mfc="none", mec=GREY, ms=8, mew=1.5, label="integration")
@@ -56,7 +57,7 @@ def orbits(ax: Axes, named: Mapping[str, tuple[ArrayLike, ArrayLike]], xlabel: s
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['circle']
     """
-    for (label, (x, y)), colour, line in zip(named.items(), COLOURS, LINES):
+    for (label, (x, y)), colour, line in zip(labelled("named", named).items(), COLOURS, LINES):
         ax.plot(x, y, label=label, color=colour, linestyle=line)
     ax.set(xlabel=xlabel, ylabel=ylabel)
     if equal:

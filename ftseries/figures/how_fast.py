@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from matplotlib.axes import Axes
 from matplotlib.ticker import ScalarFormatter
 
+from ..arguments import labelled
 from .style import COLOURS, LINES
 
 __all__ = ["growth", "trade"]
@@ -23,8 +24,8 @@ def growth(ax: Axes, curves: Mapping[str, Sequence[tuple[float, float]]], label:
     >>> ax.get_xscale(), len(ax.lines)
     ('log', 1)
     """
-    for (name, points), colour, line, mark in zip(curves.items(), COLOURS, LINES, _MARKS,
-                                                  strict=False):
+    for (name, points), colour, line, mark in zip(labelled("curves", curves).items(), COLOURS,
+                                                  LINES, _MARKS, strict=False):
         ax.loglog(*zip(*points, strict=True), color=colour, ls=line, marker=mark, ms=5, label=name)
     ax.set_xscale("log", base=2)
     ax.set(xlabel=label, ylabel="seconds")
@@ -43,7 +44,7 @@ def trade(ax: Axes, curves: Mapping[str, Sequence[tuple[float, float]]]) -> None
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['series', 'shooting']
     """
-    for i, (name, points) in enumerate(curves.items()):
+    for i, (name, points) in enumerate(labelled("curves", curves).items()):
         colour, mark = COLOURS[i % len(COLOURS)], _MARKS[i % len(_MARKS)]
         ax.loglog(*zip(*points, strict=True), color=colour, marker=mark, ms=6, label=name,
                   ls=LINES[i % len(LINES)] if len(points) > 1 else "none")

@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
 from ..aliases import Array, ArrayLike
+from ..arguments import whole
 from .style import COLOURS, GREY, LINES
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ def coefficient_triangle(ax: Axes, sol: Solution, name: str, order: int) -> None
     name : str
         An unknown field.
     order : int
-        Taylor orders 0 to ``order`` are drawn.
+        Taylor orders 0 to ``order`` are drawn, at most those of ``sol``.
 
     Examples
     --------
@@ -41,6 +42,7 @@ def coefficient_triangle(ax: Axes, sol: Solution, name: str, order: int) -> None
     >>> [len(marks.get_offsets()) for marks in ax.collections]    # places n ≤ m, with and without
     [9, 6]
     """
+    order = whole("order", order, most=sol.order)
     size = {(m, n): abs(row[m]) for (_, n), row in sol.table(name).items()
             for m in range(order + 1) if row[m]}
     empty = [(m, n) for m in range(order + 1) for n in range(m + 1) if (m, n) not in size]

@@ -16,6 +16,7 @@ from scipy.integrate import solve_ivp
 
 from .. import stability
 from ..aliases import Array, Real
+from ..arguments import labelled
 from ..references import mathieu, three_bodies
 from . import mathieu as waves
 from .style import BLUE, COLOURS, GREEN, GREY, LINES, PURPLE, VERMILION
@@ -156,6 +157,7 @@ def disturbed(ax: Axes, distances: Mapping[str, Array],
 
     `predicted` has the same names: the linear law, drawn dashed.
     """
+    distances = labelled("distances", distances)
     for (name, values), colour, mark in zip(distances.items(), COLOURS, "os^v"):
         k = np.arange(len(values))
         ax.plot(k, values / values[0], mark, color=colour, markersize=3.5, label=name)

@@ -44,6 +44,11 @@ def test_disc_grows_with_the_coefficient(sol, ax):
     assert (np.argsort(values) == np.argsort(areas)).all()
 
 
+def test_orders_that_the_solution_does_not_have(sol, ax):
+    with pytest.raises(fts.InputError, match=f"order={sol.order + 1}: give a whole number from 0"):
+        idea.coefficient_triangle(ax, sol, "x", sol.order + 1)
+
+
 def test_error_of_the_period_falls_like_the_first_order_left_out(sol, ax):
     def exact(start):
         return 4 / np.sqrt(1 + start**2) * ellipk(start**2 / (2 * (1 + start**2)))
