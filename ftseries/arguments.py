@@ -10,8 +10,15 @@ from typing import Any
 import numpy as np
 from flint import fmpq
 from mpmath import isfinite
-from mpmath.libmp import (from_float, from_str, repr_dps, round_nearest, to_float, to_rational,
-                          to_str)
+from mpmath.libmp import (
+    from_float,
+    from_str,
+    repr_dps,
+    round_nearest,
+    to_float,
+    to_rational,
+    to_str,
+)
 
 from .aliases import Array, Exact
 from .errors import InputError
@@ -39,7 +46,8 @@ def _shortest(x: Any) -> str:
     """The shortest decimal that rounds to a number at its own precision."""
     bits = max(getattr(x, "_prec", 0), x._mpf_[3])
     texts = (to_str(x._mpf_, digits) for digits in range(1, repr_dps(bits) + 1))
-    return next(t for t in texts if from_str(t, bits, round_nearest) == x._mpf_)
+    found: str = next(t for t in texts if from_str(t, bits, round_nearest) == x._mpf_)
+    return found
 
 
 def rational(x: Exact) -> fmpq:

@@ -5,9 +5,9 @@ singular.  So the branch point solves
 
 .. math::  F(c, λ) = 0, \qquad J(c, λ)\, v = 0, \qquad \langle v_0, v \rangle = 1,
 
-for c, λ and the direction v, here by Newton's method on the collocation equations of
-:mod:`ftseries.refine`, at complex λ.  Near it c ≈ c_0 ± C v (λ_0 - λ)^{1/2}: the exponent is 1/2.
-Nothing here uses Taylor coefficients but the first guess, so it tests their singularities.
+for c, λ and the direction v, here by Newton's method on the equations of
+:mod:`ftseries.collocation`, at complex λ.  Near it c ≈ c_0 ± C v (λ_0 - λ)^{1/2}: the exponent is
+1/2.  Nothing here uses Taylor coefficients but the first guess, so it tests their singularities.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .aliases import ComplexArray, Modes
+from .collocation import Collocation
 from .errors import SolveError
-from .refine import Collocation
 
 if TYPE_CHECKING:
     from .problem import Problem

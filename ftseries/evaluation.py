@@ -7,7 +7,6 @@ Formula.  u(t; λ) = Re Σ_n (A_n(λ) - i B_n(λ)) z^n with z = e^{iωt}, A_n(λ
 
 from __future__ import annotations
 
-import warnings
 import sys
 import warnings
 from collections.abc import Callable, Mapping, Sequence

@@ -1,10 +1,10 @@
 r"""The first steps by hand, done by machine.
 
 The first coefficients of a non-linear problem obey polynomial equations, such as (C6) of the
-paper, with several solutions.  Here they are unknown symbols (fields up to order 1, scalars at
-order 0), run through the problem's own equations as parameters of a polynomial ring; the equations
-of order 0, 1, 2, … that contain no later coefficient are solved one order after the other, as far
-as :mod:`ftseries.roots` goes.  Equations that are not polynomial are solved about rest at 0.
+paper, with several solutions.  Fields up to order 1 and scalars at order 0 are sought; the
+equations of order 0, 1, 2, … (:mod:`ftseries.first_orders`) that contain no later coefficient are
+solved one order after the other, as far as :mod:`ftseries.roots` goes.  Equations that are not
+polynomial, or have too many states of rest, are solved about rest at 0.
 Solutions without oscillation are left out, and those that depend on a free parameter, because
 coefficients are to be polynomials in it.  Of two that become each other by τ to -τ with ω to -ω,
 or by τ to τ + π, the one with positive frequency or leading amplitude is kept.
@@ -14,12 +14,11 @@ from __future__ import annotations
 
 from collections.abc import Container
 from functools import partial
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from .aliases import Expr, Mode
-from .conversion import to_sympy
 from .errors import (
     ContradictionError,
     FTSeriesError,
@@ -27,22 +26,16 @@ from .errors import (
     NonAnalyticError,
     UndeterminedError,
 )
-from .expansion import Expansion
-from .laurent import PolynomialRing, SurdRing
+from .first_orders import Known, Symbols, fixed, is_low, residual, symbols
 from .problem import Scalar
 from .reasons import forced_motion, free_motions, wider
 from .roots import Roots, vanishes
 from .stages import LATEST
 
 if TYPE_CHECKING:
-    from .problem import Field
     from .symbolic import Equations
 
 __all__ = ["first_steps"]
-
-#: the symbol of each first coefficient, (unknown, mode, order); the values found for some
-Symbols: TypeAlias = dict[tuple[str, Mode, int], Expr]
-Known: TypeAlias = dict[Expr, Expr]
 
 #: orders 0 … 3 are compared: an energy integral begins at 2, an amplitude may be settled at 3;
 #: while something is free more of them
@@ -75,6 +68,9 @@ def first_steps(problem: Equations) -> list[dict[str, Expr]]:
     try:
         solutions = search.run()
     except (NonAnalyticError, InputError, NotImplementedError) as error:
+        still = free_motions(problem, search.rest()) if search.states else None
+        if still:
+            raise ContradictionError(f"no motion begins at rest: {still}") from None
         why, terms = str(error), list(dict.fromkeys(problem.delicate))
         if terms and not search.states:
             verb = "are" if len(terms) > 1 else "is"
@@ -90,8 +86,7 @@ def first_steps(problem: Equations) -> list[dict[str, Expr]]:
         raise ContradictionError(f"{failed}: {search.reason()}")
     free = {s for known in solutions for s in search.low if s not in known}
     if free:
-        labels = [_label(name, mode, m, problem.unknowns[name])
-                  for (name, mode, m), s in search.symbols.items() if s in free]
+        labels = [search.label(key) for key, s in search.symbols.items() if s in free]
         raise UndeterminedError(
             f"the first equations leave {' and '.join(labels)} free, so λ has no concrete meaning "
             f"yet; fix an amplitude or a phase ('fixed' in a Field), or give a seed for {names}")
@@ -103,9 +98,11 @@ class _Search:
     """The search for the first coefficients, and what it met on the way."""
 
     def __init__(self, problem: Equations) -> None:
-        self.problem, self.symbols, self.roots = problem, _symbols(problem), Roots()
-        self.low = {s for (name, _, m), s in self.symbols.items() if _is_low(problem, name, m)}
+        self.problem, self.symbols, self.roots = problem, symbols(problem, _MOST), Roots()
+        self.low = {s for (name, _, m), s in self.symbols.items() if is_low(problem, name, m)}
         self.frequency = self.symbols.get((problem.frequency or "", (0, 0), 0))
+        #: does something stay free, so that earlier equations still count?
+        self.pending = False
         #: the states of rest, the order that fails, and what depends on a parameter
         self.states: list[Known] = []
         self.failed: int | None = None
@@ -142,13 +139,15 @@ class _Search:
     def extend(self, known: Known, order: int) -> list[Known]:
         """All ways to satisfy the equations of one order, as extensions of ``known``."""
         parameters = {sp.Symbol(name) for name in self.problem.parameters}
-        equations = [e for e in _residual(self.problem, self.symbols, known, order)
+        orders = range(order + 1) if self.pending else [order]
+        equations = [e for k in orders for e in residual(self.problem, self.symbols, known, k)
                      if e.free_symbols <= self.low | parameters]
         unknown = sorted(set().union(*(e.free_symbols for e in equations)) - set(known)
                          - parameters, key=str)
         if not unknown:
             return [known] if all(map(vanishes, equations)) else []
         solutions = self.roots.solve(equations, unknown)
+        self.pending = self.pending or any(len(found) < len(unknown) for found in solutions)
         kept = []
         for solution in solutions:
             dependent = [(s, v) for s, v in solution.items() if v.free_symbols & parameters]
@@ -163,30 +162,40 @@ class _Search:
         return value.is_polynomial(*value.free_symbols) and any(
             m == 1 for (_, _, m), other in self.symbols.items() if other == s)
 
+    def label(self, key: tuple[str, Mode, int]) -> str:
+        """A coefficient in words."""
+        name, (sine, n), m = key
+        if isinstance(self.problem.unknowns[name], Scalar):
+            return f"the coefficient {name}_{m}"
+        what = f"coefficient of {'sin' if sine else 'cos'} {n}τ in" if n else "mean of"
+        return f"the {what} {name} at order {m} of λ"
+
+    def rest(self) -> list[dict[str, Expr]]:
+        """The states of rest, each field to its value."""
+        return [{name: known.get(self.symbols.get((name, (0, 0), 0), sp.S.Zero), sp.S.Zero)
+                 for name in self.problem.language.fields} for known in self.states]
+
     def reason(self) -> str:
         """Why there is no solution, and the way out."""
         problem = self.problem
         if self.dependent:
             s, value = self.dependent[0]
-            name, mode, m = next(key for key, other in self.symbols.items() if other == s)
+            key = next(key for key, other in self.symbols.items() if other == s)
             letters = sorted(x.name for x in value.free_symbols if x.name in problem.parameters)
             return (f"{' and '.join(letters)} need{'s' * (len(letters) == 1)} a value, because "
-                    f"{_label(name, mode, m, problem.unknowns[name])} would be {value}, and "
-                    f"coefficients are polynomials in a parameter; give it in "
-                    f"parameters={{{letters[0]!r}: 2}}, for example")
+                    f"{self.label(key)} would be {value}, and coefficients are polynomials in a "
+                    f"parameter; give it in parameters={{{letters[0]!r}: 2}}, for example")
         if self.roots.left:
-            fields = {self.symbols.get((name, (0, 0), 0)): sp.Symbol(name)
-                      for name in problem.language.fields}
-            zero = " or ".join(dict.fromkeys(f"{p.xreplace(fields)} = 0" for p in self.roots.left))
-            return (f"they would obey {zero}, and such roots are irrational in any units; change "
-                    "numbers in the equations so that the roots become rational")
+            p = self.roots.left[0]
+            key, s = next((key, s) for key, s in self.symbols.items() if p.has(s))
+            return (f"{self.label(key)} would be a root c of {p.xreplace({s: sp.Symbol('c')})}, "
+                    "with which no units make the coefficients rational; change numbers in the "
+                    "equations so that c becomes rational")
         if self.failed == 0:
-            return ("there is no state of rest in the ansatz; change the equations or the ansatz, or "
-                    f"give a seed for {', '.join(problem.unknowns)}")
-        states = [{name: known.get(self.symbols.get((name, (0, 0), 0), sp.S.Zero), sp.S.Zero)
-                   for name in problem.language.fields} for known in self.states]
-        return (forced_motion(problem, states) or wider(problem, _solvable)
-                or free_motions(problem, states)
+            return ("there is no state of rest in the ansatz; change the equations or the ansatz, "
+                    f"or give a seed for {', '.join(problem.unknowns)}")
+        return (forced_motion(problem, self.rest()) or wider(problem, _solvable)
+                or free_motions(problem, self.rest())
                 or "the ansatz may lack the symmetry or the Fourier orders of the motion; change "
                    f"the equations or the ansatz, or give a seed for {', '.join(problem.unknowns)}")
 
@@ -198,68 +207,16 @@ def _solvable(problem: Equations) -> bool:
         return False
 
 
-def _symbols(problem: Equations) -> Symbols:
-    """``{(name, mode, m): symbol}`` for the orders compared."""
-    return {(name, mode, m): sp.Symbol(f"{name}_{'sc'[1 - mode[0]]}{mode[1]}_{m}"
-                                       if not isinstance(unknown, Scalar) else f"{name}_{m}")
-            for name, unknown in problem.unknowns.items()
-            for m in range(_MOST + 1) for mode in unknown.columns(m + problem.ahead)
-            if problem.in_powers(name, m)}
-
-
-def _label(name: str, mode: Mode, m: int, unknown: Field | Scalar) -> str:
-    wave = f" {'sin' if mode[0] else 'cos'} {mode[1]}τ" if mode[1] else " the mean"
-    return f"the coefficient {name}_{m}" if isinstance(unknown, Scalar) else \
-        f"the coefficient of{wave} in {name} at order {m} of λ"
-
-
-def _is_low(problem: Equations, name: str, m: int) -> bool:
-    return m == 0 or (m == 1 and not isinstance(problem.unknowns[name], Scalar))
-
-
-def _residual(problem: Equations, symbols: Symbols, known: Known, order: int) -> list[Expr]:
-    """The residual's coefficients of one order as SymPy polynomials in what is not yet known."""
-    open_symbols = [s for (_, _, m), s in symbols.items() if m <= order and s not in known]
-    irrational = {s: v for s, v in known.items() if not v.is_Rational}
-    names = (*problem.parameters, *map(str, open_symbols), *map(str, irrational))
-    ring = (SurdRing if problem.surd else PolynomialRing)(names)
-    expansion = Expansion(ring)
-    unknowns = {}
-    for name, unknown in problem.unknowns.items():
-        unknowns[name] = expansion.unknown()
-        for m in range(order + 1):
-            row: dict[Mode, Any] = {}
-            for (other, mode, k), s in symbols.items():
-                if other == name and k == m:
-                    value = known.get(s, s)
-                    row[mode] = (ring.parameter(str(s)) if value == s or s in irrational
-                                 else ring.number(value))
-            for mode, value in _fixed(problem, name, unknown, m).items():
-                row[mode] = ring.number(value)
-            unknowns[name].set(m, ring.from_modes({k: v for k, v in row.items() if v != 0}))
-    back = {sp.Symbol(str(s)): v for s, v in irrational.items()}
-    back[sp.Symbol("sqrt3")] = sp.sqrt(3)
-    return [sp.expand(to_sympy(c, ring.names).subs(back))
-            for residual in problem.equations(expansion.lam, **unknowns).values()
-            for c in residual[order].modes().values()]
-
-
-def _fixed(problem: Equations, name: str, unknown: Field | Scalar, m: int) -> dict[Mode, int]:
-    """λ is the amplitude of a fixed Fourier order; a fixed mode (sine, n) is a phase and zero."""
-    orders = unknown.fixed if not isinstance(unknown, Scalar) and m == 1 else ()
-    return {unknown.mode(n): 1 for n in orders if not isinstance(n, tuple)}
-
-
-def _distinct(problem: Equations, symbols: Symbols, solutions: list[Known]) -> list[Known]:
+def _distinct(problem: Equations, named: Symbols, solutions: list[Known]) -> list[Known]:
     """Without the motionless ones, and without those whose mirror image is kept."""
-    given = any(_fixed(problem, name, u, 1) for name, u in problem.unknowns.items())
-    frequency = symbols.get((problem.frequency or "", (0, 0), 0))
+    given = any(fixed(problem, name, u, 1) for name, u in problem.unknowns.items())
+    frequency = named.get((problem.frequency or "", (0, 0), 0))
     moving = [known for known in solutions if known.get(frequency) != 0 and (given or any(
-        known.get(s, s) != 0 for (name, mode, m), s in symbols.items()
-        if mode[1] and _is_low(problem, name, m)))]
+        known.get(s, s) != 0 for (name, mode, m), s in named.items()
+        if mode[1] and is_low(problem, name, m)))]
     if not (moving or problem.frequency) and problem.forcing:
         moving = solutions[:1]                          # forced at a higher power of λ
-    waves = {s: mode for (name, mode, m), s in symbols.items() if mode[1]}
+    waves = {s: mode for (name, mode, m), s in named.items() if mode[1]}
     mirrors = ({s for s, (_, n) in waves.items() if n % 2},                    # τ to τ + π
                {s for s, (sine, _) in waves.items() if sine} | {frequency})    # τ to -τ
     broken = (any(n % 2 for _, n in problem.forcing), any(sine for sine, _ in problem.forcing))
@@ -285,17 +242,17 @@ def _size(known: Known, frequency: Expr | None) -> list[float]:
     return [float(v) if not v.free_symbols else 0.0 for v in values]
 
 
-def _seed(problem: Equations, symbols: Symbols, known: Known) -> dict[str, Expr]:
+def _seed(problem: Equations, named: Symbols, known: Known) -> dict[str, Expr]:
     lam, t = sp.Symbol(problem.language.lam), sp.Symbol(problem.variable)
     omega = sp.Symbol(problem.frequency) if problem.frequency else 1
     seed = {}
     for name, unknown in problem.unknowns.items():
         total = sp.S.Zero
-        follows = any(known[s].free_symbols for (other, _, m), s in symbols.items()
+        follows = any(known[s].free_symbols for (other, _, m), s in named.items()
                       if other == name and m == 1 and s in known)       # the solver finds it
         for m in (0,) if isinstance(unknown, Scalar) or follows else (0, 1):
-            rows = {mode: known[s] for (other, mode, k), s in symbols.items()
-                    if other == name and k == m} | _fixed(problem, name, unknown, m)
+            rows = {mode: known[s] for (other, mode, k), s in named.items()
+                    if other == name and k == m} | fixed(problem, name, unknown, m)
             for (sine, n), value in rows.items():
                 wave = (sp.sin if sine else sp.cos)(n * omega * t) if n else sp.S.One
                 total += value * lam**m * wave

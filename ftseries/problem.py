@@ -103,7 +103,7 @@ class Problem:
     >>> sol.coefficient("omega", 2)
     3*mu/8
     >>> round(sol.evaluate("omega", lam=0.1, mu=2), 6)
-    1.007472
+    1.007477
     """
 
     unknowns: dict[str, Field | Scalar] = {}

@@ -49,7 +49,7 @@ _SLIPS = (
     (r"\blambda\b", "λ is written {lam}"),
     (r"(?<![\w.])\d+\.?\d*\s*(?!e[-+]?\d)[^\W\d]\w*", "write products with *, such as 2*x"),
     (r"\b(sin|cos|exp|sqrt)\s+\w+", "write functions with brackets, such as sin(x)"),
-    (r"\w\s+\w+", "write products with *, such as a*x"),
+    (r"\w+\s+\w+", "write products with *, such as a*x"),
 )
 
 

@@ -1,12 +1,7 @@
-r"""Polish: from a truncated series to a periodic solution accurate to rounding.
+"""Polish: from a truncated series to a periodic solution accurate to rounding.
 
-Formula.  At a fixed λ the unknown Fourier coefficients c solve F(c) = 0, the modes of the problem's
-own residual.  Newton's step J δ = -F is solved by least squares, because the equations may be
-dependent (in the eight, S'' = 0 makes one redundant).  The columns of J come from complex steps,
-
-.. math::  J_k = \mathrm{Im}\, F(c + i h e_k) / h, \qquad h = 10^{-30},
-
-which have no cancellation.  It begins with few modes, whose decay says how many are needed for the
+At a fixed λ the Fourier coefficients are found by Newton's method on the equations of
+:mod:`ftseries.collocation`.  It begins with few modes, whose decay says how many are needed for the
 last ones to be negligible.
 """
 
@@ -17,28 +12,23 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from .aliases import Array, ArrayLike, Mode, Modes, Real
+from .aliases import Array, ArrayLike, Modes, Real
 from .arguments import real, scalar
+from .collocation import Collocation, fixed_modes
 from .errors import InputError, SolveError
 from .evaluation import motion, times
 from .problem import Scalar
-from .sampling import Sampled, Samples
 
 if TYPE_CHECKING:
     from .problem import Problem
 
 __all__ = ["Orbit", "refine", "residuals"]
 
-_STEP = 1e-30
 _FIRST_MODES, _MOST_MODES = 24, 1024
 _MARGIN = 8
 _NEGLIGIBLE, _NOISE = 1e-15, 1e-17          # of a mode, against the largest one
-_MORE_ROWS = 5                              # more equations than modes hold the last modes down
-_MOST_STEPS = 30
-#: what may be left of F, in modes beyond those known, against the largest terms of J c
-_REST = 1e-3
+_REST = 1e-3                                # of F, against its terms
 
 
 class Orbit:
@@ -128,109 +118,6 @@ class Orbit:
         return Orbit(problem, found * unit, modes, residual, steps, self.parameters)
 
 
-class Collocation:
-    """The residual's modes as a function of the free modes up to N and of λ."""
-
-    def __init__(self, problem: Problem, top: int, parameters: Mapping[str, float] | None) -> None:
-        self.problem, self.top, self.parameters = problem, top, parameters
-        self.columns = [(name, *mode) for name, unknown in problem.unknowns.items()
-                        for mode in unknown.columns(top)]
-        self.points = 4 * top
-        tau = Samples(self.points).tau
-        self.modes = [(sine, k) for sine in (0, 1) for k in range(top + _MORE_ROWS)]
-        n = np.arange(top + _MORE_ROWS)[:, None]
-        cos, sin = np.cos(n * tau), np.sin(n * tau)
-        #: the modes on the grid, with their first and second derivatives: (3, modes, points)
-        self.waves = np.stack([np.concatenate(pair) for pair in (
-            (cos, sin), (-n * sin, n * cos), (-n**2 * cos, -n**2 * sin))])
-        self.basis = {name: np.stack([self._wave((sine, k)) * (name == own)
-                                      for own, sine, k in self.columns], axis=1)
-                      for name in problem.unknowns}
-        self.fixed = {name: [(m, c * self._wave(mode)) for m, mode, c in _fixed(problem, name)]
-                      for name in problem.unknowns}
-
-    def _wave(self, mode: Mode) -> NDArray[Any]:
-        return self.waves[:, self.modes.index(mode)]
-
-    def unknowns(self, x: NDArray[Any], lam: NDArray[Any]) -> tuple[Sampled, dict[str, Sampled]]:
-        """The unknowns on the grid, for x of shape (…, columns) and λ of shape (…)."""
-        samples = Samples(self.points, lam, self.parameters)
-        result = {}
-        for name in self.problem.unknowns:
-            values = []
-            for i, basis in enumerate(self.basis[name]):
-                total = _product(x, basis)
-                for m, wave in self.fixed[name]:
-                    total = total + lam[..., None]**m * wave[i]
-                values.append(total)
-            result[name] = Sampled(samples, values[0], values[1:])
-        return samples.lam, result
-
-    def __call__(self, x: NDArray[Any], lam: NDArray[Any], condition: bool = False) -> NDArray[Any]:
-        """F: the projections of the residuals on all modes, and the condition where asked."""
-        parameter, unknowns = self.unknowns(x, lam)
-        shape = x.shape[:-1] + (self.points,)
-        values = [_product(np.broadcast_to(r.values, shape), self.waves[0].T) * (2 / self.points)
-                  for r in self.problem.residuals(parameter, unknowns).values()]
-        if condition:
-            values.append(self.problem.condition(parameter, **unknowns).values.mean(
-                axis=-1, keepdims=True))
-        return np.concatenate(values, axis=-1)
-
-    def vector(self, coefficients: Mapping[str, Modes]) -> Array:
-        """The free modes, in the order of the columns."""
-        return np.array([coefficients[name].get((sine, n), 0.0) for name, sine, n in self.columns])
-
-    def residuals(self, x: Array, lam: float) -> dict[str, float]:
-        """The largest absolute residual of each equation on the grid."""
-        parameter, unknowns = self.unknowns(x, np.asarray(lam))
-        return {name: float(np.abs(r.values).max())
-                for name, r in self.problem.residuals(parameter, unknowns).items()}
-
-    @np.errstate(over="ignore", invalid="ignore")                # what is not finite is refused
-    def newton(self, x: Array, lam: float, condition: bool) -> tuple[Array, float, int]:
-        """(x, λ, steps) with steps of Newton's method until rounding stops them."""
-        start, size, before = lam, len(x) + condition, np.inf
-        steps = 1j * _STEP * np.eye(size)
-        for step in range(1, _MOST_STEPS + 1):
-            trial = np.append(x, lam) if condition else x
-            if before > 1e-2:                            # close by, the last matrix will do
-                moved = trial + steps
-                matrix = self(moved[:, :len(x)],
-                              moved[:, -1] if condition else np.full(size, lam + 0j),
-                              condition).imag.T / _STEP
-                if not np.isfinite(matrix).all():
-                    break
-                rows = np.abs(matrix).max(axis=1) > 1e-13 * np.abs(matrix).max()
-                inverse = np.linalg.pinv(matrix[rows])
-            delta = inverse @ -self(x, np.asarray(lam), condition)[rows]
-            x = x + delta[:len(x)]
-            lam = lam + delta[-1] if condition else lam
-            change = np.abs(delta).max()
-            if not np.isfinite(change) or (step > 6 and change > before > 1e-6):
-                break
-            if change < 1e-15 * np.abs(x).max() or (change < 1e-10 and change > before / 4):
-                rest = np.abs(self(x, np.asarray(lam), condition)).max()
-                if rest <= _REST * (np.abs(matrix) @ np.abs(trial)).max():
-                    return x, float(lam), step
-                break
-            before = change
-        raise SolveError(f"Newton's method does not converge at λ = {start:g}: the series is too "
-                         "poor a first guess there; take a higher order or a smaller λ")
-
-
-def _product(a: NDArray[Any], real: Array) -> NDArray[Any]:
-    """a @ real, the real and imaginary part of a apart."""
-    return a.real @ real + 1j * (a.imag @ real) if np.iscomplexobj(a) else a @ real
-
-
-def _fixed(problem: Problem, name: str) -> list[tuple[int, Mode, float]]:
-    """(m, mode, coefficient) of the modes that the seed gives completely."""
-    return [(m, mode, float(c.p) / float(c.q))
-            for m, row in enumerate(problem.first_coefficients()[name]) for mode, c in row.items()
-            if problem.unknowns[name].is_fixed(mode)]
-
-
 def refine(problem: Problem, first_guess: dict[str, Modes], lam: float, condition: bool = False,
            parameters: Mapping[str, float] | None = None
            ) -> tuple[float, dict[str, Modes], float, int]:
@@ -253,11 +140,11 @@ def refine(problem: Problem, first_guess: dict[str, Modes], lam: float, conditio
     tuple
         (λ, coefficients, residual, steps), all in the solver's units.
     """
-    total, guess = 0, first_guess
+    total, guess, start = 0, first_guess, lam
     top = max(_FIRST_MODES, _last(_sizes(guess), _NOISE) + 2)
     while True:
         system = Collocation(problem, top, parameters)
-        x, lam, steps = system.newton(system.vector(guess), lam, condition)
+        x, lam, steps, rest = system.newton(system.vector(guess), lam, condition)
         total += steps
         guess = {name: {} for name in problem.unknowns}
         for (name, sine, n), value in zip(system.columns, x):
@@ -266,11 +153,14 @@ def refine(problem: Problem, first_guess: dict[str, Modes], lam: float, conditio
         if _last(sizes, _NEGLIGIBLE) <= top - 4 or top >= _MOST_MODES:
             break
         top = _more(sizes)
+    if not rest < _REST:
+        raise SolveError(f"no periodic solution was found at λ = {start:g}: the series is too poor "
+                         "a first guess there; take a higher order or a smaller λ")
     for modes in guess.values():                        # rounding noise is not a mode
         for mode in [mode for mode, c in modes.items() if abs(c) < _NOISE * sizes.max()]:
             del modes[mode]
     for name in guess:
-        guess[name] |= {mode: c * lam**m for m, mode, c in _fixed(problem, name)}
+        guess[name] |= {mode: c * lam**m for m, mode, c in fixed_modes(problem, name)}
     return lam, guess, max(system.residuals(x, lam).values()), total
 
 

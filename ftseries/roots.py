@@ -33,7 +33,7 @@ class Roots:
     Attributes
     ----------
     left : list
-        The factors whose roots were not looked for.
+        The factors with real roots that were not looked for.
 
     Examples
     --------
@@ -41,7 +41,7 @@ class Roots:
     >>> roots = Roots()
     >>> roots.solve([x * y - 2, x - y - 1], [x, y])
     [{x: 2, y: 1}, {x: -1, y: -2}]
-    >>> roots.solve([x**6 - x**2 + x], [x]), roots.left
+    >>> roots.solve([x**6 - x**2 + x], [x]), roots.left      # 0, and a root that is too hard
     ([{x: 0}], [x**5 - x + 1])
     """
 
@@ -53,7 +53,7 @@ class Roots:
         self.steps = 0
         out: list[Found] = []
         for found in self._solve(list(equations), list(unknowns), False):
-            found = {s: _tidy(v) for s, v in found.items()}
+            found = {s: _tidy(found[s]) for s in unknowns if s in found}
             if found not in out:
                 out.append(found)
         return out
@@ -96,7 +96,7 @@ class Roots:
         if len(inside) > 1:
             return None
         values = _radicals(e, inside[0])
-        if values is None:
+        if values is None and _may_be_real(sp.Poly(e, inside[0])):
             self.left.append(e)
         return inside[0], values or []
 
@@ -140,6 +140,11 @@ def _radicals(e: Expr, s: Expr) -> list[Expr] | None:
             elif not negative:
                 values += [_root(z, g), -_root(z, g)]
     return values
+
+
+def _may_be_real(p: sp.Poly) -> bool:
+    """Has a polynomial a real root?  Only rational ones are decided."""
+    return not p.domain.is_QQ and not p.domain.is_ZZ or p.count_roots() > 0
 
 
 def _is_negative(z: Expr, test: Callable[[Expr], bool]) -> bool:

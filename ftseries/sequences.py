@@ -16,7 +16,7 @@ from flint import ctx
 
 from . import analysis
 from .aliases import Function, Modes, Number
-from .analysis import Estimate, Singularity
+from .analysis import Estimate, FewError, Singularity
 from .arguments import scalars, whole
 from .branch import branch_point
 from .conversion import at
@@ -111,7 +111,7 @@ class Sequences(Values):
         step, _, c = self.sequence(name, n, sine, **parameters)
         try:
             return analysis.nearest_singularities(c)
-        except InputError:
+        except FewError:
             raise InputError(f"{name!r} shows no singularity at order {self.order}: it has too few "
                              "coefficients, or its function has none; try order="
                              f"{max(2 * self.order, _COEFFICIENTS * step)}") from None

@@ -3,7 +3,7 @@ r"""Problems from SymPy equations or from text.
 Formula.  Each equation becomes left side minus right side, is read by :mod:`ftseries.reading` and
 built from series by :mod:`ftseries.translate`.  The seed of a field is a sum of terms
 c λ^m cos nωt and c λ^m sin nωt, that of a scalar a sum of c λ^m; an irrational leading c becomes
-the unit in which the unknown is measured.
+the unit in which the unknown or λ is measured (:mod:`ftseries.seeds`).
 """
 
 from __future__ import annotations
@@ -39,7 +39,9 @@ class Equations(Problem):
         SymPy function (or its name) to :class:`Field`, SymPy symbol (or name) to :class:`Scalar`.
     seed : dict, optional
         Unknown to its first terms, such as ``lam*cos(omega*t)``; left out, the first steps are
-        solved automatically where they have finitely many solutions.
+        solved automatically: about states of rest that are roots of polynomials of few terms, such
+        as x² - 2 or x³ - 3, and where the equations are not polynomial about rest at 0.  A motion
+        about another state of rest needs a seed.
     frequency : symbol or name, optional
         The unknown scalar ω with τ = ωt; left out, the period is 2π.
     parameters : tuple of symbols or names, or dict from them to values
@@ -48,7 +50,8 @@ class Equations(Problem):
     time, lam : symbol or name
         t and λ.
     choice : int, optional
-        Which solution of the first steps to take, where there are several.
+        Which solution of the first steps to take, where there are several; the refusal without it
+        shows them.
     ahead : int
         How far Fourier orders may run ahead of Taylor orders: n ≤ m + ahead.
 

@@ -142,7 +142,7 @@ class Values:
                    for which in self._summed(name))
         return next(filter(None, reasons), None)
 
-    def _evaluate(self, name: str, t: Array, lam: Array, order: int, parameters: Point) -> Array:
+    def _evaluate(self, name: str, t: Array, lam: Array, order: int, parameters: Point) -> Real:
         if reason := self._doubt(name, lam, parameters):
             evaluation.warn(reason)
         amplitude, *frequency = (evaluation.amplitudes(self._table(which, parameters), lam)

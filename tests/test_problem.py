@@ -64,6 +64,33 @@ def test_first_coefficients_are_rational_and_without_zeros():
                                               "omega": [{(0, 0): fmpq(1, 2)}, {}]}
 
 
+def first_mode(seed, fixed, equation="x'' + x + x**3", order=7):
+    """The coefficients of cos τ and sin τ in the solution."""
+    sol = fts.solve(fts.Equations(equation, seed=seed, frequency="omega", unknowns={
+        "x": Field("both", modes="odd", powers="odd", fixed=fixed), "omega": Scalar()}), order)
+    return [{m: sp.Rational(str(row[mode])) for m, row in enumerate(sol.coefficients["x"])
+             if mode in row} for mode in ((0, 1), (1, 1))]
+
+
+def test_fixed_modes_keep_the_seed():
+    """At all orders; a Fourier order means both kinds, and is λ's meaning without a seed."""
+    assert first_mode(None, (1,)) == [{1: 1}, {}]
+    for fixed in ((1,), ((0, 1), (1, 1))):
+        assert first_mode({"x": "lam*cos(omega*t)", "omega": 1}, fixed) == [{1: 1}, {}]
+        assert first_mode({"x": "lam*sin(omega*t)", "omega": 1}, fixed) == [{}, {1: 1}]
+
+
+def test_a_fixed_mode_of_one_kind_is_a_phase():
+    """It is zero without a seed, and what the seed gives with one; the other kind is found."""
+    cycle = "x'' + x = (lam**2 - x**2)*x'"
+    cosine, sine = first_mode(None, ((1, 1),), cycle)
+    assert sine == {} and cosine[1] == 2 and len(cosine) > 1
+    other = first_mode({"x": "2*lam*sin(omega*t)", "omega": 1}, ((0, 1),), cycle)
+    assert other[0] == {} and other[1][1] == 2
+    forced = "x'' + lam**2*x'/10 + x + x**3 = lam**3*cos(omega*t)"
+    assert first_mode(None, ((0, 1),), forced, 3) == [{}, {1: 10, 3: -375}]
+
+
 def test_what_may_be_asked_beyond_the_seed():
     eight = fts.FigureEight()
     assert eight.allowed("r", 2, 2) and eight.allowed("r", 0, 6)

@@ -5,7 +5,6 @@ import warnings
 
 import numpy as np
 import pytest
-
 from sample_problems import Duffing
 
 import ftseries as fts
@@ -111,6 +110,13 @@ def test_what_is_no_orbit_is_refused_and_rest_is_one():
                 sol.truncate(order).refine(1e6)
         rest = sol.refine(0)
     assert rest.evaluate("omega") == 1 and rest.evaluate("x", 0.3) == 0
+
+
+@pytest.mark.parametrize("exponent", ["-1/2", "5/2"])
+def test_the_first_few_modes_may_leave_a_rest(exponent):
+    """With 24 modes F is not small here; with as many as are needed it is rounding."""
+    orbit = fts.solve(fts.FigureEight(exponent), order=40, arithmetic="float").refine()
+    assert orbit.residual < 1e-9 and max(n for _, n in orbit.coefficients["r"]) > 24
 
 
 def test_velocity_of_an_orbit():

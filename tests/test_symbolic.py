@@ -159,6 +159,19 @@ SOLVED = {
             "u": fts.Field("both", fixed=(1,)), "v": fts.Field("both"), "omega": fts.Scalar()}),
     "half a period later": lambda: oscillator(
         "x'' + x + x(t - pi/omega)**2 - x''(t + pi/omega)*x**2", choice=1),
+    "both amplitudes irrational": lambda: oscillator("x'' - 2*x + x**3 = 0", choice=1),
+    "forced at resonance": lambda: fts.Equations(
+        "x'' + x + x**3 = lam**3*cos(t)", {"x": fts.Field("cos")}),
+    "forced at resonance, later": lambda: fts.Equations(
+        "x'' + x + x**3 - lam**2*x = lam**4*cos(t)", {"x": fts.Field("cos")}, choice=1),
+    "forced late": lambda: fts.Equations("x'' + 3*x + x**3 = lam**2*cos(t)",
+                                         {"x": fts.Field("cos")}),
+    "strength of forcing": lambda: fts.Equations(
+        "x'' + 3*x + x**3 = mu*lam*cos(t)", {"x": fts.Field("cos")}, parameters=("mu",)),
+    "tangent": lambda: oscillator("x'' + sin(x)/cos(x) = 0"),
+    "hyperbolic tangent": lambda: oscillator("x'' + (exp(2*x) - 1)/(exp(2*x) + 1) = 0"),
+    "Morse": lambda: oscillator("x'' + exp(-x) - exp(-2*x) = 0"),
+    "Kepler": lambda: oscillator("x'' = 1/(1 + x)**3 - 1/(1 + x)**2"),
     "square root of 4": lambda: oscillator("x'' + 2*sqrt(2 + x)*(x - 2) = 0",
                                    seed={"x": "2 + lam*cos(omega*t)", "omega": 2}),
 }
@@ -166,7 +179,8 @@ SOLVED = {
 
 @pytest.mark.parametrize("name", SOLVED)
 def test_the_residual_vanishes(name):
-    assert_solved(SOLVED[name](), **{"mu": sp.Rational(2, 7)} if name == "parameter" else {})
+    problem = SOLVED[name]()
+    assert_solved(problem, **{"mu": sp.Rational(2, 7)} if problem.parameters else {})
 
 
 def test_every_term_counts():
@@ -255,9 +269,28 @@ def test_what_is_written_is_read_again():
 
 READING = [
     ("x'' + xx = 0", "\"x'' \\+ xx = 0\" contains xx, which is neither an unknown, a parameter"),
-    ("x'' + tanh(x) = 0", "contains tanh, which is neither .* nor a function known here"),
+    ("x'' + tanh(x) = 0", "contains the function tanh, which is not known here; .*exp\\(2\\*x\\)"),
+    ("x'' + tan(x) = 0", "the function tan, .* sin and cos: write sin\\(x\\)/cos\\(x\\)"),
+    ("x'' + log(1 + x) = 0", "the function log, .* take y = log\\(1 \\+ x\\) as the unknown"),
+    ("x'' + x + abs(x) = 0", "the function abs, .* has a corner at 0"),
+    ("x'' + gamma(x) = 0", "the function gamma, .* rational powers, sqrt, exp, sin and cos$"),
+    ("y'' + x + x**3 = 0", "contains y'', but y is not declared as a Field"),
+    ("xx'' + x = 0", "contains xx'', but xx is not declared as a Field"),
+    ("omega' + x = 0", "contains omega', but omega is not declared as a Field"),
+    ("x'' + λ*x = 0", "contains λ, which is written lam"),
+    ("x'' + lambda*x = 0", "'lambda' in .*; λ is written lam"),
+    ("x'' + x³ = 0", "'³' in .*; write powers with \\*\\*"),
+    ("x″ + x = 0", "'″' in .*; write derivatives with the straight '"),
+    ("x'' − x = 0", "'−' in .*; write the sign -"),
+    ("x'' + 2·x = 0", "'·' in .*; write products with \\*"),
+    ("x'' + sin x = 0", "'sin x' in .*; write functions with brackets"),
+    ("x'' + omega x = 0", "'omega x' in .*; write products with \\*"),
+    ("x'' + x)*2 = 0", "a bracket that is not closed"),
+    ("x'' + * x = 0", "is not an expression; write products with"),
+    ("x'' + x = ", "a side is empty; write an expression there"),
+    (["x'' + x + x**3 = 0", "x(0) = 1"], "contains x\\(0\\), .* initial conditions are not given"),
     ("x'' + mu*x = 0", "contains mu, which is neither .* declare it or correct it"),
-    ("x'' + 2x = 0", "\"x'' \\+ 2x\" is not an expression; write products with"),
+    ("x'' + 2x = 0", "'2x' in \"x'' \\+ 2x\"; write products with"),
     ("x'' = x = 0", "more than one '='"),
     ("x'' + x(1 - x) = 0", "contains x\\(1 - x\\), but x is a function of the time t"),
     ("x'' + x'(0) = 0", "contains x\\(0\\), but x is a function of the time t"),
@@ -266,7 +299,7 @@ READING = [
     ("x'' + sin*x = 0", "cannot be read; use numbers, names"),
     ("x'' + x + 'abc'", "cannot be read"),
     ("x'' + sin(x, 2)", "cannot be read"),
-    ("", "'' is not an expression"),
+    ("", "'' cannot be read: a side is empty"),
     (None, "None is not an equation; give a SymPy Eq"),
     (sp.true, "True is not an equation"),
     (object, "is not an equation"),
@@ -328,7 +361,9 @@ DECLARATIONS = [
     ({"seed": SEED | {"x": "lam*cos(t)"}}, "the term lam\\*cos\\(t\\); its terms are number \\*"),
     ({"seed": SEED | {"x": "cos(omega*t)/lam"}}, "has the term cos\\(omega\\*t\\)/lam"),
     ({"seed": SEED | {"omega": "lam*cos(omega*t)"}}, "the seed of omega has the term"),
-    ({"seed": SEED | {"x": "sqrt(2) + lam*cos(omega*t)"}}, "the number 1 beside sqrt\\(2\\)"),
+    ({"seed": SEED | {"x": "sqrt(2) + lam*cos(omega*t) + sqrt(5)*lam**2"}},
+     "the number 1 beside sqrt\\(2\\)"),
+    *(({"parameters": {name: 2}}, f"{name} is declared twice") for name in ("lam", "omega", "t")),
 ]
 
 
@@ -358,7 +393,7 @@ def test_a_root_that_is_not_rational_is_named():
 BAD_INPUT = {
     "a typo in a symbol": ("x'' + omga**2*x = 0", {}, {}, "omga", "declare it or correct it"),
     "a typo in SymPy": (X(T).diff(T, 2) + sp.Symbol("lamb") * X(T), {}, {}, "lamb", "declare it"),
-    "an unknown function": ("x'' + sinh(x) = 0", {}, {}, "sinh", "declare it or correct it"),
+    "an unknown function": ("x'' + sinh(x) = 0", {}, {}, "sinh", "write (exp(x)"),
     "an unknown SymPy function": (X(T).diff(T, 2) + sp.gamma(X(T)), {}, {}, "gamma(x)", "only"),
     "too few equations": ("x'' + y = 0", {"frequency": None, "unknowns": {
         "x": fts.Field("cos"), "y": fts.Field("cos")}}, {}, "(x, y)", "give one equation"),
@@ -419,3 +454,56 @@ def test_a_derivative_by_something_else():
     s = sp.Symbol("s")
     with pytest.raises(fts.InputError, match="not a derivative by t"):
         oscillator(sp.Derivative(X(T, s), s) + X(T))
+
+
+@pytest.mark.parametrize("value, exact", [
+    (0.1, "1/10"), (1 / 3, "0.3333333333333333"), (2**0.5, "1.4142135623730951"),
+    (0.30000000000000004, "0.30000000000000004"), (123456789.12345679, "123456789.12345679"),
+    ("0.12345678901234567", "0.12345678901234567"), (np.float64(0.1), "1/10")])
+def test_a_float_is_its_shortest_decimal(value, exact):
+    """As a parameter, and in a SymPy expression."""
+    given = oscillator("x'' + x + mu*x**3", parameters={"mu": value})
+    assert given.expressions["(1)"].coeff(X(T)**3) == sp.Rational(exact)
+    if isinstance(value, float):
+        inside = oscillator(X(T).diff(T, 2) + X(T) + sp.sympify(float(value)) * X(T)**3)
+        assert inside.expressions == given.expressions
+
+
+def test_a_fraction_is_a_parameter():
+    given = oscillator("x'' + x + mu*x**3", parameters={"mu": sp.Rational(1, 3)})
+    assert given.expressions["(1)"].coeff(X(T)**3) == sp.Rational(1, 3)
+
+
+@pytest.mark.parametrize("arithmetic", ["exact", "float", "ball"])
+def test_an_irrational_amplitude_at_resonance(arithmetic):
+    """x'' + x + x³ = λ³ cos t: the amplitude (4/3)^(1/3) λ makes the unit of λ; by integration."""
+    problem = SOLVED["forced at resonance"]()
+    assert problem.lam_scale == sp.cbrt(6) / 2
+    sol, lam = fts.solve(problem, 20, arithmetic=arithmetic), 0.3
+    assert float(sol.coefficient("x", 1, 1)) == pytest.approx((4 / 3)**(1 / 3), rel=1e-15)
+    start = sol.evaluate("x", 0.0, lam=lam)
+    orbit = solve_ivp(lambda t, y: [y[1], lam**3 * np.cos(t) - y[0] - y[0]**3], (0, 2 * np.pi),
+                      [start, 0], rtol=1e-12, atol=1e-13)
+    assert orbit.y[:, -1] == pytest.approx([start, 0], abs=1e-10)     # the integrator's
+
+
+PAIR = ["x'' + 3*x - 2*y + x**3 = 0", "y'' + 5*y - 2*x + y**3 = 0"]
+PAIR_UNKNOWNS = {"x": fts.Field("cos", modes="odd", fixed=(1,)),
+                 "y": fts.Field("cos", modes="odd"), "omega": fts.Scalar()}
+
+
+@pytest.mark.parametrize("choice", [None, 0, 1])
+def test_an_irrational_mode_shape_is_refused_at_the_choice(choice):
+    with pytest.raises(fts.InputError, match="because the ratio of the amplitudes of y and x, .*"
+                       "sqrt\\(5\\).*, is irrational; take normal coordinates as unknowns"):
+        oscillator(PAIR, unknowns=PAIR_UNKNOWNS, choice=choice)
+
+
+def test_an_irrational_choice_is_marked():
+    """The shapes are 1 and -1 about rest at 0, and irrational about rest at (-3/2, -3/4)."""
+    with pytest.raises(fts.InputError) as refusal:
+        oscillator(["x'' + 2*x - y + x**2 = 0", "y'' + 2*y - x = 0"], unknowns={
+            "x": fts.Field("cos", fixed=(1,)), "y": fts.Field("cos"), "omega": fts.Scalar()})
+    offers = str(refusal.value).partition(": ")[2].split("; ")
+    assert [" (with irrational coefficients)" in offer for offer in offers] == [
+        " - 3/2" in offer for offer in offers] == [False, True, False]

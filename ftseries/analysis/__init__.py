@@ -7,7 +7,15 @@ changes the variable.
 
 from .maps import compose, euler_map, revert
 from .pade import Pade, pade
-from .singularities import Estimate, Singularity, domb_sykes, nearest_singularities, root_test, thin
+from .singularities import (
+    Estimate,
+    FewError,
+    Singularity,
+    domb_sykes,
+    nearest_singularities,
+    root_test,
+    thin,
+)
 
-__all__ = ["Estimate", "Pade", "Singularity", "compose", "domb_sykes", "euler_map",
+__all__ = ["Estimate", "FewError", "Pade", "Singularity", "compose", "domb_sykes", "euler_map",
            "nearest_singularities", "pade", "revert", "root_test", "thin"]

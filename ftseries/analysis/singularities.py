@@ -26,7 +26,8 @@ from flint import acb, acb_poly, arb, arb_mat, ctx
 from ..aliases import Number
 from ..errors import InputError
 
-__all__ = ["Estimate", "Singularity", "thin", "root_test", "domb_sykes", "nearest_singularities"]
+__all__ = ["Estimate", "FewError", "Singularity", "thin", "root_test", "domb_sykes",
+           "nearest_singularities"]
 
 #: degrees of Q; beyond the second list the zeros follow the rounding of floats
 _DEGREES, _FLOAT_DEGREES = (1, 2, 3, 4, 6, 8, 10, 12, 14, 16, 18, 20), (1, 2, 3, 4, 5, 6, 8)
@@ -39,6 +40,10 @@ _CLOSE, _CLOSE_ENOUGH = 0.02, 0.06
 _NEAREST, _FARTHEST = 0.1, 1.6
 #: the error given, in units of the distance within which half of the fits lie
 _SAFETY = 5
+
+
+class FewError(InputError):
+    """Coefficients that show no singularity; more of them may."""
 
 
 @dataclass(frozen=True)
@@ -141,8 +146,8 @@ def nearest_singularities(c: Sequence[Number]) -> list[Singularity]:
     (2.0, 0.5)
     """
     if len(c) < 10:
-        raise InputError(f"{len(c)} coefficients are too few to locate a singularity; give 10 of "
-                         "them, not regularly zero")
+        raise FewError(f"{len(c)} coefficients are too few to locate a singularity; give 10 of "
+                       "them, not regularly zero")
     exact = not any(isinstance(x, float) or (isinstance(x, arb) and x.rel_accuracy_bits() < 150)
                     for x in c)
     degrees = _DEGREES if exact else _FLOAT_DEGREES
@@ -155,8 +160,8 @@ def nearest_singularities(c: Sequence[Number]) -> list[Singularity]:
                 and (zeros := _fit(c[:len(c) - left_out], degree)) is not None]
     found = _agreed(fits, _CLOSE) or _agreed(fits, _CLOSE_ENOUGH)
     if not found:
-        raise InputError("no singularity fits these coefficients: give more of them, or their "
-                         "function has none")
+        raise FewError("no singularity fits these coefficients: give more of them, or their "
+                       "function has none")
     return [Singularity(s.location * scale, s.exponent, s.error * scale, s.exponent_error)
             for s in found]
 

@@ -57,6 +57,13 @@ def test_slides_are_named_after_the_sections_they_begin():
     assert names == [["chapter"], ["slide-2-1"], ["slide-2-2"]]
 
 
+def test_titles_that_the_page_has_given_are_not_given_again():
+    written = nodes.warning("", nodes.title("", "Warning"), text("Mind the gap."))
+    own = nodes.admonition("", nodes.title("", "A gap"), text("Mind it."))
+    (section,), = slides.deck(page(mark("slide"), written, own))[1:]
+    assert section.astext() == "Chapter\n\nMind the gap.\n\nA gap\n\nMind it."
+
+
 def test_the_page_itself_is_left_as_it_was():
     doctree = page(code("slide"), mark("fragment"), nodes.section("", text("inner")))
     before = doctree.pformat()

@@ -107,6 +107,9 @@ def _for_slides(original):
                 code.parent.remove(code)
     for section in list(part.findall(nodes.section)):
         section.replace_self(nodes.container("", *section.children))
+    for box in part.findall(nodes.Admonition):
+        if not isinstance(box, nodes.admonition) and isinstance(box.next_node(), nodes.title):
+            del box[0]                  # the page's writer put it there, the deck's does so again
     return part
 
 
