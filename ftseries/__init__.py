@@ -16,6 +16,7 @@ from .errors import (
                      FTSeriesError,
                      InputError,
                      NonAnalyticError,
+                     PrecisionWarning,
                      SolveError,
                      UndeterminedError,
 )
@@ -32,4 +33,5 @@ __version__ = "0.1.0"
 __all__ = ["solve", "sweep", "Solution", "load", "Problem", "Equations", "Field", "Scalar",
            "CubicOscillator", "GeneralizedMathieu", "FigureEight", "figure_eight", "sin", "cos",
            "exp", "FTSeriesError", "InputError", "NonAnalyticError", "SolveError",
-           "UndeterminedError", "ContradictionError", "FileError", "ConvergenceWarning"]
+           "UndeterminedError", "ContradictionError", "FileError", "ConvergenceWarning",
+           "PrecisionWarning"]

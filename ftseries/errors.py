@@ -1,7 +1,7 @@
 """One family of errors: every refusal is a :class:`FTSeriesError` and one clear sentence."""
 
 __all__ = ["FTSeriesError", "InputError", "NonAnalyticError", "SolveError", "UndeterminedError",
-           "ContradictionError", "FileError", "ConvergenceWarning"]
+           "ContradictionError", "FileError", "ConvergenceWarning", "PrecisionWarning"]
 
 
 class FTSeriesError(Exception):
@@ -34,3 +34,7 @@ class FileError(FTSeriesError):
 
 class ConvergenceWarning(UserWarning):
     """A series is evaluated where its coefficients say that it does not converge."""
+
+
+class PrecisionWarning(UserWarning):
+    """More digits are asked for than the coefficients have."""

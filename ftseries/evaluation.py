@@ -169,12 +169,12 @@ def last_terms(table: FloatTable, lam: float, given: int = 1) -> float:
     return float(np.exp(min(terms[last].max() - terms[~last].max(), 700.0)))
 
 
-def warn(reason: str) -> None:
-    """A ConvergenceWarning that points at the line which called the package."""
+def warn(reason: str, kind: type[Warning] = ConvergenceWarning) -> None:
+    """A warning that points at the line which called the package."""
     level, frame = 1, sys._getframe()
-    while frame.f_back and frame.f_globals["__name__"].partition(".")[0] == __package__:
+    while frame.f_back and frame.f_globals.get("__name__", "").partition(".")[0] == __package__:
         level, frame = level + 1, frame.f_back
-    warnings.warn(reason, ConvergenceWarning, stacklevel=level)
+    warnings.warn(reason, kind, stacklevel=level)
 
 
 def mp_evaluate(table: MpTable, frequency: list[Callable[[], Any]] | None, t: Any, lam: Any,

@@ -20,7 +20,7 @@ from . import evaluation
 from .aliases import Array, ArrayLike, Coefficients, Mode, Number, Real
 from .arguments import rational, scalars, whole
 from .conversion import at, to_float, to_mpf
-from .errors import InputError
+from .errors import InputError, PrecisionWarning
 from .problem import Scalar
 
 if TYPE_CHECKING:
@@ -70,6 +70,8 @@ class Values:
         ConvergenceWarning
             λ lies outside the radius of convergence that the coefficients suggest; or, also with
             few coefficients, the terms of the last orders are not small.
+        PrecisionWarning
+            ``dps`` asks for more digits than the coefficients have.
 
         Examples
         --------
@@ -168,9 +170,9 @@ class Values:
                      parameters: Mapping[str, Any]) -> Any:
         known = {"float": 15, "ball": int((self.precision or 0) * math.log10(2))}
         if whole("dps", dps, 1) > known.get(self.arithmetic, dps):
-            raise InputError(f"dps={dps}: in {self.arithmetic} arithmetic the coefficients have "
-                             f"{known[self.arithmetic]} digits; ask for no more, or solve with "
-                             "arithmetic='exact'")
+            evaluation.warn(f"dps={dps}: in {self.arithmetic} arithmetic the coefficients have "
+                            f"{known[self.arithmetic]} digits, and the rest is noise; solve with "
+                            "arithmetic='exact' for more", PrecisionWarning)
         if any(np.ndim(value) for value in parameters.values()):
             raise InputError(f"with dps, give one value of {', '.join(parameters)} at a time")
         floats = tuple((k, float(v)) for k, v in parameters.items())

@@ -1,5 +1,7 @@
 """Numbers of every ring as mpmath numbers, floats and balls."""
 
+from contextlib import nullcontext
+
 import mpmath
 import pytest
 import sympy as sp
@@ -36,5 +38,6 @@ def test_what_is_no_product_of_powers(unit):
 def test_many_digits_from_every_arithmetic(arithmetic, error):
     exact, other = (fts.solve(fts.CubicOscillator(), 12, kind, precision=160)
                     for kind in ("exact", arithmetic))
-    values = [solution.evaluate("x", 0.3, lam=0.2, dps=30) for solution in (exact, other)]
+    with nullcontext() if arithmetic == "ball" else pytest.warns(fts.PrecisionWarning):
+        values = [solution.evaluate("x", 0.3, lam=0.2, dps=30) for solution in (exact, other)]
     assert abs(values[0] - values[1]) < error
