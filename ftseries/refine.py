@@ -62,13 +62,16 @@ class Orbit:
                  derivative: int = 0) -> Real:
         """The value of an unknown, or a derivative in t, as :meth:`ftseries.Solution.evaluate`.
 
-        ``lam`` is there for callers that pass it.
+        ``lam`` may be given as to a solution, but an orbit has only its own.
 
         >>> import ftseries as fts
         >>> orbit = fts.solve(fts.CubicOscillator(a=1), order=12).refine(0.5)
         >>> abs(orbit.evaluate("x", 0, derivative=1)) < 1e-12              # at rest at t = 0
         True
         """
+        if lam is not None and not np.allclose(real("lam", lam), self.lam, rtol=1e-12, atol=0):
+            raise InputError(f"lam={lam!r}: this orbit has λ = {self.lam!r}; refine the series at "
+                             "another λ for another orbit")
         t = real("t", times(self.problem, name, t, derivative))
         amplitude = self.coefficients[name]
         if isinstance(self.problem.unknowns[name], Scalar):

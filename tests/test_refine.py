@@ -155,3 +155,10 @@ def test_a_family_is_followed_in_lambda(eight):
 def test_only_problems_with_the_same_unknowns_are_followed(eight):
     with pytest.raises(fts.InputError, match="has the unknowns x, omega, but this is an orbit"):
         eight.refine().refine(fts.CubicOscillator(a=1))
+
+
+def test_an_orbit_has_only_its_own_lambda(eight):
+    orbit = eight.refine()
+    assert orbit.evaluate("r", 0.3, lam=orbit.lam) == orbit.evaluate("r", 0.3)
+    with pytest.raises(fts.InputError, match="lam=2.0: this orbit has λ = 2.0756"):
+        orbit.evaluate("r", 0.3, lam=2.0)
