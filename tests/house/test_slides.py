@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import pytest
 from docutils import nodes
 from ftbook import slides
+from sphinx_proof.nodes import theorem_node
 
 
 def mark(kind):
@@ -60,8 +61,10 @@ def test_slides_are_named_after_the_sections_they_begin():
 def test_titles_that_the_page_has_given_are_not_given_again():
     written = nodes.warning("", nodes.title("", "Warning"), text("Mind the gap."))
     own = nodes.admonition("", nodes.title("", "A gap"), text("Mind it."))
-    (section,), = slides.deck(page(mark("slide"), written, own))[1:]
-    assert section.astext() == "Chapter\n\nMind the gap.\n\nA gap\n\nMind it."
+    theorem = theorem_node("", nodes.title("", "Small"), text("So it is."))
+    (section,), = slides.deck(page(mark("slide"), written, own, theorem))[1:]
+    assert section.astext() == "\n\n".join([
+        "Chapter", "Mind the gap.", "A gap", "Mind it.", "Small", "So it is."])
 
 
 def test_the_page_itself_is_left_as_it_was():

@@ -17,6 +17,9 @@ from myst_nb.sphinx_ import NbMetadataCollector
 
 SHOWN = ("slide", "subslide", "fragment", "notes", "-")
 MARK = "slide_type:"
+#: boxes whose titles are their kinds: the writer of a page adds these
+NAMED = (nodes.attention, nodes.caution, nodes.danger, nodes.error, nodes.hint, nodes.important,
+         nodes.note, nodes.tip, nodes.warning)
 
 
 def slide_type(metadata):
@@ -107,8 +110,8 @@ def _for_slides(original):
                 code.parent.remove(code)
     for section in list(part.findall(nodes.section)):
         section.replace_self(nodes.container("", *section.children))
-    for box in part.findall(nodes.Admonition):
-        if not isinstance(box, nodes.admonition) and isinstance(box.next_node(), nodes.title):
+    for box in part.findall(lambda node: isinstance(node, NAMED)):
+        if isinstance(box[0], nodes.title):
             del box[0]                  # the page's writer put it there, the deck's does so again
     return part
 
