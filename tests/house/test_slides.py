@@ -54,6 +54,9 @@ def test_notes_and_fragments_are_wrapped():
 
 def test_slides_are_named_after_the_sections_they_begin():
     doctree = page(mark("slide"), text("a"), mark("subslide"), text("b"))
+    again = [title for stack in slides.deck(doctree) for section in stack
+             for title in section.findall(nodes.title) if "again" in title["classes"]]
+    assert [title["anchor"] for title in again] == ["#chapter", "#chapter"]
     names = [section["ids"] for stack in slides.deck(doctree) for section in stack]
     assert names == [["chapter"], ["slide-2-1"], ["slide-2-2"]]
 

@@ -95,6 +95,7 @@ def _heading_again(part):
         if isinstance(part, nodes.section) and isinstance(part.children[0], nodes.title):
             title = part.children[0].deepcopy()
             title["classes"].append("again")
+            title["anchor"] = "#" + part["ids"][0]
             return [title]
     return []
 
