@@ -26,7 +26,8 @@ if TYPE_CHECKING:
 __all__ = ["SMALL", "amplitudes", "broadcastable", "doubt", "fourier_sum", "motion", "mp_evaluate",
            "radius_estimate", "times", "unknown", "warn"]
 
-#: terms beyond this part of the largest ones before them are not small
+#: terms beyond this part of the largest ones before them are not small: above what good sums of
+#: low order leave, below 1, where the terms grow
 SMALL = 0.5
 
 #: the coefficients of λ^0, λ^1, … by mode: floats, and what gives them in any precision

@@ -28,7 +28,7 @@ __all__ = ["Orbit", "refine", "residuals"]
 _FIRST_MODES, _MOST_MODES = 24, 1024
 _MARGIN = 8
 _NEGLIGIBLE, _NOISE = 1e-15, 1e-17          # of a mode, against the largest one
-_REST = 1e-3                                # of F, against its terms
+_REST = 1e-3                                # of F, against its terms: an orbit leaves rounding
 
 
 class Orbit:
