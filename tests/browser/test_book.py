@@ -4,6 +4,8 @@ The book must be built (`make book`); where it is not, these tests are skipped, 
 integration they fail.
 """
 
+import re
+
 import pytest
 from browser.pages import ROOT, missing, served
 
@@ -45,6 +47,20 @@ def test_every_page_stands_alone(visit, book):
             page.set_viewport_size({"width": 390, "height": 844})          # of a phone
             assert page.evaluate("document.documentElement.scrollWidth") <= 390, name
         page.context.close()
+
+
+def test_every_page_names_its_icon_and_title(visit):
+    """A page without an icon makes browsers ask the server's root for one, now and then in vain."""
+    if not (BUILT / "index.html").exists():
+        missing("the book is not built (make book)")
+    for name in pages():
+        text = (BUILT / name).read_text(encoding="utf-8")
+        icon = re.search(r'<link rel="icon" href="([^"]+)"', text)[1]
+        assert (BUILT / name).parent.joinpath(icon).is_file(), name
+        assert re.search(r"<title>[^<]+</title>", text), name
+    page = visit(f"{BUILT.as_uri()}/index.html")
+    page.wait_for_url("**/book/preface.html")
+    assert "og:title" in (BUILT / "index.html").read_text(encoding="utf-8")
 
 
 def test_every_slide_says_what_it_is_about(visit):

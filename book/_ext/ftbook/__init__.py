@@ -6,7 +6,7 @@
 ``docstrings``  bars in the formulas of docstrings;
 ``fallback``  a picture in the place of an explorer, for readers without JavaScript;
 ``latex``  the book on paper;
-``site``  the address of the published book;
+``site``  the address of the published book, and its front page;
 ``slides``  each chapter as a deck;
 ``versions``  what the pages were built with;
 ``downloads``  links to the PDF and the figures, where they were made;
@@ -43,7 +43,9 @@ def setup(app):
     app.connect("doctree-resolved", latex.prepare)
     app.connect("source-read", slides.mark_cells)
     app.connect("html-page-context", site.tidy_tags, priority=600)
+    app.connect("html-page-context", site.keep_first, priority=700)
     app.connect("html-page-context", slides.cut, priority=600)
+    app.connect("html-collect-pages", site.add_front)
     app.connect("html-collect-pages", slides.write)
     app.connect("doctree-read", fallback.add_pictures, priority=100)
     app.connect("build-finished", downloads.copy)

@@ -1,7 +1,7 @@
 """Where the built book is published, if anywhere: for links from paper and for social cards.
 
 The address is the environment variable FTSERIES_SITE, or else the GitHub Pages of the repository
-that ``links`` finds.
+that ``links`` finds. There, the first page stands under its own title and card.
 """
 
 import os
@@ -38,3 +38,18 @@ def add_address(app, config):
 def tidy_tags(app, pagename, templatename, context, doctree):
     """Handler of ``html-page-context``: items of a list that end with a semicolon need no comma."""
     context["metatags"] = context.get("metatags", "").replace(";, ", "; ")
+
+
+def keep_first(app, pagename, templatename, context, doctree):
+    """Handler of ``html-page-context``, after all tags are there: what ``add_front`` will need."""
+    if pagename == app.config.root_doc:
+        app.builder.ftbook_front = {key: context[key] for key in ("title", "metatags")}
+
+
+def add_front(app):
+    """Handler of ``html-collect-pages``: ``index.html`` leads to the book's first page.
+
+    Jupyter Book writes such a page only where there is none: without a title, language or icon.
+    """
+    if hasattr(app.builder, "ftbook_front") and app.config.root_doc != "index":
+        yield "index", app.builder.ftbook_front, "front.html"
