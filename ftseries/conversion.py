@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -13,7 +14,7 @@ from .aliases import Expr, Number
 from .arguments import decimal
 from .errors import InputError
 
-__all__ = ["to_sympy", "to_float", "to_mpf", "to_ball", "in_fractions", "at"]
+__all__ = ["to_sympy", "to_float", "to_mpf", "to_ball", "in_fractions", "at", "float_unit"]
 
 
 def to_sympy(number: Number, names: Sequence[str]) -> Expr:
@@ -37,6 +38,19 @@ def in_fractions(e: Expr) -> Expr:
 def to_float(number: Number) -> float:
     """The nearest float."""
     return int(number.p) / int(number.q) if isinstance(number, fmpq) else float(number)
+
+
+def float_unit(problem: Any, unit: Any) -> float:
+    """A unit of a problem as a float; refuses a symbol in it, and what is beyond the floats."""
+    unit = sp.sympify(unit)
+    if unit.free_symbols:
+        raise InputError(f"{problem!r} contains {unit.free_symbols.pop()}; give it a number to "
+                         "evaluate, or solve with arithmetic='exact' for its coefficients")
+    value = float(unit)
+    if not 0 < abs(value) < math.inf:
+        raise InputError(f"{problem!r} has a unit of about {mpmath.nstr(unit.evalf(), 2)}, beyond "
+                         "the floats; take exact coefficients and evaluate(…, dps=…)")
+    return value
 
 
 def to_mpf(number: Number) -> Any:

@@ -128,22 +128,24 @@ def radius_estimate(table: FloatTable, algebraic: bool = True) -> float | None:
     return float(np.exp(-np.linalg.lstsq(design, np.log(sums[m]), rcond=None)[0][1]))
 
 
-def doubt(table: FloatTable, name: str, lam: ArrayLike, given: int = 1) -> str | None:
+def doubt(table: FloatTable, name: str, lam: ArrayLike, given: int = 1,
+          unit: float = 1.0) -> str | None:
     """Why the truncated sum may be no approximation at the largest of the |λ|, or None.
 
     Either |λ| is clearly outside the estimated radius of convergence, or, at any order, the terms
     Σ_n |A_{n,m} λ^m| of the last orders m are not small against those before.  Orders that are
     zero by parity do not count, and of the orders below ``given``, those of the seed, none is last.
+    The table is one in (λ/``unit``)^m.
     """
     largest = float(np.max(np.abs(lam), initial=0.0))
     fits = [radius_estimate(table, algebraic) for algebraic in (True, False)]
     found = [radius for radius in fits if radius is not None]
-    if len(found) == 2 and largest > 1.03 * max(found):
-        radius = (found[0] * found[1]) ** 0.5
+    if len(found) == 2 and largest > 1.03 * unit * max(found):
+        radius = unit * (found[0] * found[1]) ** 0.5
         return (f"λ = {largest:g} lies outside the radius of convergence of {name!r}, which its "
                 f"coefficients put near {radius:.3g}; the truncated sum is not an approximation "
                 "there")
-    share = last_terms(table, largest, given)
+    share = last_terms(table, largest / unit, given)
     if share > SMALL:
         return (f"at λ = {largest:g} the last terms of {name!r} are not small, but "
                 f"{share:.2g} times the largest ones before: the truncated sum may be no "

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from . import evaluation
-from .aliases import Mode, Modes
+from .aliases import Mode
 from .arguments import scalar, scalars
 from .refine import Orbit, residuals
 from .resum import Resummed
@@ -53,9 +53,10 @@ class Quality(Sequences):
         """
         self._check_parameters(parameters)
         values = scalars(parameters)
-        lam = scalar("lam", lam)
-        return residuals(self.problem, self._amplitudes(lam, values),
-                         lam / float(self.problem.lam_scale), values)
+        lam = scalar("lam", lam) / self._lam_scale
+        amplitudes = {name: evaluation.amplitudes(self._table(name, tuple(values.items())), lam)
+                      for name in self.problem.unknowns}
+        return residuals(self.problem, amplitudes, lam, values)
 
     def error_estimate(self, name: str, lam: float, **parameters: Any) -> float:
         """About how far the truncated series is from its sum, uniformly in t.
@@ -68,10 +69,11 @@ class Quality(Sequences):
         ratio = abs(lam) / (radius := float(self.radius_of_convergence(name, **parameters)))
         if ratio >= 1:
             return np.inf
-        sums = np.abs(np.array(list(self.table(name, **parameters).values()))).sum(axis=0)
+        table = self._table(name, tuple(scalars(parameters).items()))
+        sums = self._scale(name) * np.abs(np.array(list(table.values()))).sum(axis=0)
         m = np.arange(len(sums))
         last = m >= 2 * len(sums) // 3
-        envelope = (sums[last] * radius ** m[last]).max()
+        envelope = (sums[last] * (radius / self._lam_scale) ** m[last]).max()
         return float(envelope * ratio ** (self.order + 1) / (1 - ratio))
 
     def refine(self, lam: float | None = None, **parameters: Any) -> Orbit:
@@ -109,7 +111,7 @@ class Quality(Sequences):
         lam = scalar("lam", lam)
         values = scalars(parameters)
         first = Orbit(self.problem, lam, {
-            name: evaluation.amplitudes(self.table(name, **parameters), lam)
+            name: self._amplitudes(name, np.asarray(lam), tuple(values.items()))
             for name in self.problem.unknowns}, parameters=values)
         orbit = first.refine(lam=None if condition else lam)
         if max(_change(first.coefficients[name], modes)
@@ -118,12 +120,6 @@ class Quality(Sequences):
                             "it began: this may be another of the problem's solutions; take a "
                             "higher order or a smaller λ")
         return orbit
-
-    def _amplitudes(self, lam: float, parameters: Mapping[str, float]) -> dict[str, Modes]:
-        """``{name: {mode: A_n(λ)}}`` in the solver's units."""
-        return {name: {mode: float(c) / float(self.problem.scale(name)) for mode, c in
-                       evaluation.amplitudes(self.table(name, **parameters), lam).items()}
-                for name in self.problem.unknowns}
 
 
 def _change(before: Mapping[Mode, Any], after: Mapping[Mode, Any]) -> float:

@@ -16,6 +16,7 @@ import numpy as np
 from .aliases import Array, ArrayLike, Modes, Real
 from .arguments import real, scalar
 from .collocation import Collocation, fixed_modes
+from .conversion import float_unit
 from .errors import InputError, SolveError
 from .evaluation import motion, times
 from .problem import Scalar
@@ -108,9 +109,9 @@ class Orbit:
             raise InputError(f"{problem!r} has the unknowns {', '.join(problem.unknowns)}, but "
                              f"this is an orbit with {', '.join(self.problem.unknowns)}; give a "
                              "problem with the same unknowns")
-        units = {name: float(problem.scale(name)) for name in problem.unknowns}
-        unit = float(problem.lam_scale)
-        old = {name: float(self.problem.scale(name)) for name in self.problem.unknowns}
+        units, old = ({name: float_unit(each, each.scale(name)) for name in each.unknowns}
+                      for each in (problem, self.problem))
+        unit = float_unit(problem, problem.lam_scale)
         guess = {name: {mode: c / old[name] for mode, c in modes.items()}
                  for name, modes in self.coefficients.items()}
         start = scalar("lam", self.lam if condition else lam)

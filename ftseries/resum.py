@@ -15,7 +15,7 @@ from flint import arb, ctx
 from .aliases import ArrayLike, Column, Mode, Real
 from .analysis import Estimate, pade
 from .arguments import real, scalar, scalars
-from .conversion import to_ball
+from .conversion import float_unit, to_ball
 from .errors import InputError
 from .evaluation import SMALL, motion, times, unknown, warn
 from .problem import Scalar
@@ -80,8 +80,8 @@ class Resummed:
 
     def amplitudes(self, name: str, lam: ArrayLike) -> dict[Mode, Real]:
         """``{(sine, n): A_n(λ)}`` in the paper's units."""
-        lam = real("lam", lam) / float(self.problem.lam_scale)
-        unit = float(self.problem.scale(name))
+        lam = real("lam", lam) / float_unit(self.problem, self.problem.lam_scale)
+        unit = float_unit(self.problem, self.problem.scale(name))
         return {mode: unit * lam**first * approximant(lam**step)
                 for mode, (step, first, approximant) in self.approximants(name).items()}
 

@@ -187,7 +187,7 @@ class Sequences(Values):
         else:
             modes = [(bool(mode[0]), mode[1]) for mode in reversed(kind.columns(_LOW_MODES))
                      if any(mode in row for row in self.coefficients[name])]
-        scale, step, found = float(self.problem.lam_scale), 1, []
+        scale, step, found = self._lam_scale, 1, []
         for sine, n in modes:
             step = self.sequence(name, n, sine, **parameters)[0]
             try:
@@ -208,10 +208,9 @@ class Sequences(Values):
     def _complex_amplitudes(self, lam: complex,
                             parameters: Mapping[str, float]) -> dict[str, Modes]:
         """The same at a complex λ in the solver's units."""
-        lam = lam * float(self.problem.lam_scale)
+        point = tuple(parameters.items())
         return {name: {mode: np.polynomial.polynomial.polyval(lam, row)
-                       / float(self.problem.scale(name))
-                       for mode, row in self.table(name, **parameters).items()}
+                       for mode, row in self._table(name, point).items()}
                 for name in self.problem.unknowns}
 
 

@@ -18,7 +18,7 @@ from flint import arb, ctx
 from . import display, storage
 from .aliases import FilePath, Number
 from .arguments import whole
-from .conversion import to_ball, to_sympy
+from .conversion import float_unit, to_ball, to_sympy
 from .errors import InputError
 from .evaluation import unknown
 from .problem import Field, Scalar
@@ -118,11 +118,8 @@ class Solution(Quality):
         unit = sp.sympify(self.problem.unit(name, m))
         if self.arithmetic == "exact":
             return sp.S.Zero if number is None else unit * to_sympy(number, self.problem.parameters)
-        if unit.free_symbols:
-            raise InputError(f"{self.problem!r} has a symbol in its unit; give it a value, or "
-                             "solve with arithmetic='exact'")
         if self.arithmetic == "float":
-            return 0.0 if number is None else float(unit) * number
+            return 0.0 if number is None else float_unit(self.problem, unit) * number
         with ctx.workprec(self.precision or ctx.prec):
             return arb(0) if number is None else to_ball(unit) * number
 

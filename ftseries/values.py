@@ -19,7 +19,7 @@ from flint import fmpq
 from . import evaluation
 from .aliases import Array, ArrayLike, Coefficients, Mode, Number, Real
 from .arguments import rational, scalars, whole
-from .conversion import at, to_float, to_mpf
+from .conversion import at, float_unit, to_float, to_mpf
 from .errors import InputError, PrecisionWarning
 from .problem import Scalar
 
@@ -40,6 +40,7 @@ class Values:
         self.problem, self.arithmetic, self.order = problem, arithmetic, order
         self.coefficients, self.precision = coefficients, precision
         self._table = lru_cache(maxsize=64)(self._make_table)
+        self._scale = lru_cache(maxsize=64)(self._make_scale)
 
     def evaluate(self, name: str, t: ArrayLike | None = None, *, lam: ArrayLike,
                  dps: int | None = None, derivative: int = 0, **parameters: ArrayLike) -> Real:
@@ -99,8 +100,10 @@ class Values:
         """``{(sine, n): [A_{n,0}, A_{n,1}, …]}`` as floats in the paper's units."""
         evaluation.unknown(self.problem, name)
         self._check_parameters(parameters)
-        values = tuple(scalars(parameters).items())
-        return {mode: row.tolist() for mode, row in self._table(name, values).items()}
+        table = self._table(name, tuple(scalars(parameters).items()))
+        units = [float_unit(self.problem, self.problem.unit(name, m)) if any(column) else 1.0
+                 for m, column in enumerate(zip(*table.values()))]
+        return {mode: (row * units).tolist() for mode, row in table.items()}
 
     def _check_parameters(self, parameters: Mapping[str, Any]) -> None:
         wanted = set(self.problem.parameters)
@@ -114,18 +117,26 @@ class Values:
         return [rational(parameters[p]) for p in self.problem.parameters]
 
     def _make_table(self, name: str, parameters: Point) -> dict[Mode, Array]:
+        """The coefficients in the solver's units, in which they grow least."""
         table: dict[Mode, Array] = {}
         point = self._point(dict(parameters))
         for m, row in enumerate(self.coefficients[name]):
-            unit = sp.sympify(self.problem.unit(name, m))
-            if unit.free_symbols:
-                raise InputError(f"{self.problem!r} contains {unit.free_symbols.pop()}; give it a "
-                                 "number to evaluate")
-            unit = float(unit)
             for mode, number in row.items():
-                table.setdefault(mode, np.zeros(self.order + 1))[m] = (
-                    unit * to_float(at(number, point)))
+                table.setdefault(mode, np.zeros(self.order + 1))[m] = to_float(at(number, point))
         return table
+
+    def _amplitudes(self, name: str, lam: Array, parameters: Point) -> dict[Mode, Real]:
+        """``{mode: A_n(λ)}`` in the paper's units."""
+        table = self._table(name, parameters)
+        return {mode: self._scale(name) * amplitude for mode, amplitude in
+                evaluation.amplitudes(table, lam / self._lam_scale).items()}
+
+    @cached_property
+    def _lam_scale(self) -> float:
+        return float_unit(self.problem, self.problem.lam_scale)
+
+    def _make_scale(self, name: str) -> float:
+        return float_unit(self.problem, self.problem.scale(name))
 
     @cached_property
     def _given(self) -> dict[str, int]:
@@ -140,14 +151,14 @@ class Values:
 
     def _doubt(self, name: str, lam: ArrayLike, parameters: Point) -> str | None:
         """Why the truncated sum may be no approximation at λ, or None."""
-        reasons = (evaluation.doubt(self._table(which, parameters), which, lam, self._given[which])
-                   for which in self._summed(name))
+        reasons = (evaluation.doubt(self._table(which, parameters), which, lam, self._given[which],
+                                    self._lam_scale) for which in self._summed(name))
         return next(filter(None, reasons), None)
 
     def _evaluate(self, name: str, t: Array, lam: Array, order: int, parameters: Point) -> Real:
         if reason := self._doubt(name, lam, parameters):
             evaluation.warn(reason)
-        amplitude, *frequency = (evaluation.amplitudes(self._table(which, parameters), lam)
+        amplitude, *frequency = (self._amplitudes(which, lam, parameters)
                                  for which in self._summed(name))
         if isinstance(self.problem.unknowns[name], Scalar):
             return amplitude.get((0, 0), np.zeros(lam.shape))

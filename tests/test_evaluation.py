@@ -2,6 +2,7 @@
 
 import re
 import warnings
+from fractions import Fraction
 from math import comb
 
 import mpmath
@@ -268,3 +269,35 @@ def test_one_number_in_one_number_out(cubic):
     assert isinstance(cubic.evaluate("x", 0.3, lam=0.5, dps=30), mpmath.mpf)
     assert cubic.evaluate("x", [0.3], lam=0.5).shape == (1,)
     assert cubic.evaluate("x", [], lam=0.5).shape == (0,)
+
+
+def test_a_soft_spring_needs_no_floats_beyond_all_bounds():
+    """Lengths are measured in a, times in 1/√a; then the coefficient of λ^90 has a^{-89}."""
+    a, t = Fraction(1, 10**4), np.linspace(0, 9, 7)
+    soft, one = (fts.solve(fts.CubicOscillator(a=a), 90) for a in (a, 1))
+    for lam in (0.3, 1.2):
+        scaled = float(a) * one.evaluate("x", float(a)**0.5 * t, lam=lam)
+        assert soft.evaluate("x", t, lam=lam * float(a)) == pytest.approx(scaled, rel=1e-12)
+        assert soft.resum().evaluate("x", t, lam=lam * float(a)) == pytest.approx(scaled, rel=1e-11)
+    assert soft.residual(5e-5)["(C3)"] < 1e-12
+    assert soft.refine(1e-4).residual < 1e-12
+    assert soft.error_estimate("x", 5e-5) == pytest.approx(
+        float(a) * one.error_estimate("x", 0.5), rel=1e-6)
+    with pytest.raises(InputError, match="beyond the floats"):
+        soft.table("x")
+    with pytest.warns(ConvergenceWarning, match="λ = 0.0004 lies outside .* near 0.0003"):
+        soft.evaluate("x", t, lam=4e-4)
+
+
+def test_a_unit_beyond_the_floats_is_named():
+    """Lengths of the eight are measured in 3^{1/(α+2)}."""
+    near, far = (fts.solve(fts.FigureEight(exponent=alpha), 6, arithmetic="float")
+                 for alpha in (Fraction(-199, 100), Fraction(-1999, 1000)))
+    for ask in (lambda: far.coefficient("r", 2, 2), lambda: far.evaluate("r", 0.3, lam=0.2),
+                lambda: far.refine(0.2), lambda: far.resum().evaluate("r", 0.3, lam=0.2)):
+        with pytest.raises(InputError, match=r"1.3e\+477, beyond the floats; .*dps"):
+            ask()
+    with mpmath.workdps(15):
+        value = far.evaluate("r", 0.3, lam=0.2, dps=15) / mpmath.mpf(3) ** 1000
+        assert value == pytest.approx(near.evaluate("r", 0.3, lam=0.2) / 3.0**100, abs=1e-3)
+    assert far.residual(0.2)["(E3a)"] < 1e-6

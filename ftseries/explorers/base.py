@@ -47,7 +47,7 @@ import traitlets
 from matplotlib.figure import Figure
 
 from ..aliases import Json
-from ..conversion import to_float
+from ..conversion import float_unit, to_float
 from ..errors import InputError
 from ..figures import style
 from ..solution import Solution
@@ -207,7 +207,7 @@ def _table(solution: Solution, name: str) -> dict[tuple[int, int, int], dict[int
         return {(*mode, 0): dict(enumerate(row)) for mode, row in solution.table(name).items()}
     table: dict[tuple[int, int, int], dict[int, float]] = {}
     for m, row in enumerate(solution.coefficients[name]):
-        unit = float(solution.problem.unit(name, m))
+        unit = float_unit(solution.problem, solution.problem.unit(name, m))
         for mode, polynomial in row.items():
             for (_, k), number in polynomial.to_dict().items():
                 table.setdefault((*mode, int(k)), {})[m] = unit * to_float(number)
