@@ -162,6 +162,9 @@ class Series:
     __float__ = __complex__ = _sympy_ = _refusal(
         "functions of math and SymPy do not know series; use ftseries.sin, ftseries.cos, "
         "ftseries.exp, and powers such as x**Fraction(1, 2)", NotSymPy)
+    sqrt = log = tan = sinh = cosh = tanh = _refusal(
+        "of NumPy's functions, a series knows sin, cos and exp; write the others by these and by "
+        "powers, such as x**Fraction(1, 2) for a root")
 
 
 @cache

@@ -340,6 +340,8 @@ def test_a_name_that_is_declared_twice():
     (abs, "has no Fourier-Taylor series"),
     (lambda x: x if x > 0 else -x, "neither large nor small"),
     (lambda x: max(x, 0), "neither large nor small"), (lambda x: min(0, x), "neither large nor"),
+    (lambda x: x * np.sqrt(1 + x * x), "powers, such as x.*for a root"),
+    (np.tanh, "knows sin, cos and exp"),
     (math.sin, "use ftseries.sin"), (sp.sin, "use ftseries.sin"), (sp.exp, "use ftseries.sin"),
     (sp.sqrt, "Fraction"), (float, "use ftseries.sin"),
 ])
