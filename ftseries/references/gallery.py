@@ -17,9 +17,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from flint import ctx, fmpq, fmpq_series
+from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_series
 
-__all__ = ["pendulum", "duffing"]
+__all__ = ["pendulum", "duffing", "duffing_turn"]
+
+#: terms of a series in q where |q| = 0.16 is meant: the rest is below all rounding
+_TERMS = 40
 
 
 def pendulum(order: int) -> list[fmpq]:
@@ -40,17 +43,41 @@ def duffing(order: int) -> list[fmpq]:
     return _frequency(order, 2, lambda omega2: 32 * omega2)
 
 
+def duffing_turn() -> complex:
+    """A λ² next to 0 at which λ²(q) of x″ + x + x³ = 0 turns: ω² has a square root there.
+
+    The zero of dλ²/dq with the smallest |q|, in the upper half plane.
+
+    >>> round(duffing_turn().real, 12), round(duffing_turn().imag, 12)
+    (-1.306238065953, 0.690193869702)
+    """
+    previous, ctx.cap = ctx.cap, _TERMS
+    try:
+        q, inverse = _squares(_TERMS, 2)
+        below = (1 + q)**2 * inverse                                # λ² = 32 q / below
+        turns = below - q * below.derivative()
+        zeros = acb_poly([arb(turns[k]) for k in range(_TERMS - 1)]).roots()
+        place = complex(min((z for z in zeros if z.imag > 0), key=lambda z: float(abs(z).mid())))
+        return 32 * place / complex(acb_poly([arb(below[k]) for k in range(_TERMS)])(acb(place)))
+    finally:
+        ctx.cap = previous
+
+
+def _squares(terms: int, weight: int) -> tuple[Any, Any]:
+    """The series of q itself and of 1/ω²."""
+    q = fmpq_series([0, 1], prec=terms)
+    one = fmpq_series([1], prec=terms)
+    theta3 = one + sum(2 * q**(k * k) for k in range(1, terms) if k * k < terms)
+    half = one + sum(q**(k * k + k) for k in range(1, terms) if k * k + k < terms)
+    return q, theta3**4 - weight * 16 * q * half**4                 # θ_2 = 2 q^{1/4} half
+
+
 def _frequency(order: int, weight: int, factor: Callable[[Any], Any]) -> list[fmpq]:
     previous, ctx.cap = ctx.cap, order + 2
     try:
-        q = fmpq_series([0, 1], prec=order + 2)
-        one = fmpq_series([1], prec=order + 2)
-        theta3 = one + sum(2 * q**(k * k) for k in range(1, order + 2) if k * k < order + 2)
-        half = one + sum(q**(k * k + k) for k in range(1, order + 2) if k * k + k < order + 2)
-        omega2 = one / (theta3**4 - weight * 16 * q * half**4)          # θ_2 = 2 q^{1/4} half
-        lam2 = factor(omega2) * q / (one + q)**2
-        nome = lam2.reversion()
-        series = omega2(nome)
+        q, inverse = _squares(order + 2, weight)
+        omega2 = 1 / inverse
+        series = omega2((factor(omega2) * q / (1 + q)**2).reversion())
         return [fmpq(series[k]) for k in range(order + 1)]
     finally:
         ctx.cap = previous

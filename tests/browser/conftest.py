@@ -107,16 +107,22 @@ def visit(browser):
 
 @pytest.fixture(scope="session")
 def audit(tmp_path_factory):
-    """``audit(page)``: what axe-core (from npm, as package-lock.json says) finds serious."""
+    """``audit(page)``: what axe-core (from npm, as package-lock.json says) finds serious.
+
+    ``audit(page, "color-contrast")`` asks this rule alone.
+    """
     folder = tmp_path_factory.mktemp("axe")
     for name in ("package.json", "package-lock.json", ".npmrc"):
         shutil.copy(HERE / name, folder)
     web.run_npm("ci", "--ignore-scripts", work=folder)
     script = (folder / "node_modules" / "axe-core" / "axe.min.js").read_text(encoding="utf-8")
 
-    def run(page):
+    def run(page, *rules):
         page.evaluate(script)
-        result = page.evaluate("axe.run(document, { resultTypes: ['violations'], preload: false })")
+        options = {"resultTypes": ["violations"], "preload": False}
+        if rules:
+            options["runOnly"] = {"type": "rule", "values": list(rules)}
+        result = page.evaluate("options => axe.run(document, options)", options)
         return [(fault["id"], [node["html"][:200] for node in fault["nodes"]][:3])
                 for fault in result["violations"] if fault["impact"] in ("serious", "critical")]
     return run

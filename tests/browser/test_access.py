@@ -75,9 +75,10 @@ def test_arrow_keys_walk_the_triangle(explorer):
     assert shown.box.locator("[tabindex='0'][role=gridcell]").count() == 1
 
 
-def test_roles_names_and_announcement(explorer):
-    for name in NAMES:
-        shown = explorer(name)
+def test_roles_names_and_announcement(visit, disk):
+    page = ready(visit(f"{disk}/explorers.html"))
+    for number in range(len(NAMES)):
+        shown = Explorer(page, number)
         assert shown.box.get_by_role("status").count() == 1
         for handle in shown.box.locator(".noUi-handle").all():
             assert handle.get_attribute("role") == "slider" and handle.get_attribute("aria-label")
