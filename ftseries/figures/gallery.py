@@ -62,7 +62,7 @@ def orbits(ax: Axes, named: Mapping[str, tuple[ArrayLike, ArrayLike]], xlabel: s
     ax.set(xlabel=xlabel, ylabel=ylabel)
     if equal:
         ax.set_aspect("equal", adjustable="datalim")
-    ax.legend()
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
 
 
 def plane(ax: Axes, places: Sequence[complex], radius: float, label: str) -> None:
