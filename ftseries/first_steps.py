@@ -152,7 +152,8 @@ class _Search:
         for solution in solutions:
             dependent = [(s, v) for s, v in solution.items() if v.free_symbols & parameters]
             if all(self.follows(s, v) and len(solutions) == 1 for s, v in dependent):
-                kept.append(known | solution)
+                earlier = {s: sp.expand(v.xreplace(solution)) for s, v in known.items()}
+                kept.append(earlier | solution)
             else:
                 self.dependent += dependent
         return kept

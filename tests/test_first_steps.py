@@ -1,5 +1,7 @@
 """The first non-linear steps, solved automatically."""
 
+from fractions import Fraction
+
 import pytest
 import sympy as sp
 
@@ -193,3 +195,28 @@ REFUSED = [
 def test_first_steps_that_are_refused(equation, unknowns, kind, message):
     with pytest.raises(kind, match=message):
         automatic(equation, **unknowns)
+
+
+@pytest.mark.parametrize("a", [1, 2, Fraction(1, 2), Fraction(7, 3)])
+def test_a_motion_is_born_in_a_hopf_bifurcation(a):
+    """The Brusselator; λ² by the amplitude equation in Kuramoto's book of 1984, appendix B."""
+    both, even = fts.Field("both"), fts.Scalar("even")
+    problem = fts.Equations(
+        [f"x' = {a} - (b + 1)*x + x**2*y", "y' = b*x - x**2*y"], frequency="omega",
+        unknowns={"x": fts.Field("both", fixed=(1,)), "y": both, "b": even, "omega": even})
+    solution, a = fts.solve(problem, 2), sp.Rational(a)
+    assert [solution.coefficient("b", m) for m in (0, 2)] == [1 + a**2, (2 + a**2) / (4 * a**2)]
+    assert [solution.coefficient("omega", m) for m in (0, 2)] == [
+        a, -(4 - 7 * a**2 + 4 * a**4) / (24 * a**3)]
+
+
+def test_a_parameter_that_two_orders_find_together():
+    """Rest leaves mu free; the first order says where it oscillates. The motion is a circle."""
+    odd, even = {"modes": "odd"}, fts.Scalar("even")
+    problem = fts.Equations(
+        ["x' = mu*x - y - x*(x**2 + y**2)", "y' = x + mu*y - y*(x**2 + y**2)"], frequency="omega",
+        unknowns={"x": fts.Field("both", **odd, fixed=(1,)), "y": fts.Field("both", **odd),
+                  "mu": even, "omega": even})
+    solution = fts.solve(problem, 6)
+    assert [solution.coefficient("mu", m) for m in (0, 2, 4, 6)] == [0, 1, 0, 0]
+    assert [solution.coefficient("omega", m) for m in (0, 2, 4, 6)] == [1, 0, 0, 0]
