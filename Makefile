@@ -98,6 +98,7 @@ pdf: $(READY)
 	@$(BOOK) --builder latex || { rm -rf _build/.doctrees; $(FAILED); }
 	cd _build/latex && latexmk -xelatex -interaction=nonstopmode -halt-on-error -quiet \
 	fourier-taylor-series.tex
+	@! grep "^Missing character" _build/latex/fourier-taylor-series.log
 	@echo "The book is in _build/latex/fourier-taylor-series.pdf"
 
 LATEX := latexmk texlive-latex-recommended texlive-latex-extra texlive-fonts-recommended \

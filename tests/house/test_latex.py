@@ -55,12 +55,12 @@ def test_links_to_exercises_lead_to_their_labels():
     book_app = app()
     book_app.env.sphinx_exercise_registry = {"ex-a": {}}
     links = [addnodes.number_reference("", "1.2", refuri="%book/a#ex-a"),
-             nodes.reference("", "", nodes.emphasis("", "A title"), refid="ex-a"),
+             nodes.reference("", "", nodes.emphasis("", " A title"), refid="ex-a"),
              addnodes.number_reference("", "1.3", refuri="%book/a#fig-a")]
     paragraph = nodes.paragraph("", "", *links)
     latex.prepare(book_app, book(paragraph), "book/preface")
     assert paragraph.astext() == (
-        r"\hyperref[exercise:ex-a]{1.2}\hyperref[exercise:ex-a]{A title}1.3")
+        r"\hyperref[exercise:ex-a]{1.2} \hyperref[exercise:ex-a]{A title}1.3")
     assert paragraph[-1] is links[-1]
 
 

@@ -120,6 +120,10 @@ def _link_exercise(link, exercises):
     """sphinx-exercise gives LaTeX another label than the one that Sphinx refers to."""
     label = link.get("refid") or link.get("refuri", "").partition("#")[2]
     if label in exercises:
+        words = link.next_node(nodes.Text)
+        if words.startswith(" "):                       # which LaTeX drops at the start of a link
+            words.parent.replace(words, nodes.Text(words.lstrip()))
+            link.parent.insert(link.parent.index(link), nodes.Text(" "))
         link.replace_self([_raw(rf"\hyperref[exercise:{label}]{{"), *link.children, _raw("}")])
 
 
