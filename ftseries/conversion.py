@@ -14,7 +14,8 @@ from .aliases import Expr, Number
 from .arguments import decimal
 from .errors import InputError
 
-__all__ = ["to_sympy", "to_float", "to_mpf", "to_ball", "in_fractions", "at", "float_unit"]
+__all__ = ["to_sympy", "to_float", "to_mpf", "to_ball", "in_fractions", "at",
+           "numeric_unit", "float_unit"]
 
 
 def to_sympy(number: Number, names: Sequence[str]) -> Expr:
@@ -40,12 +41,18 @@ def to_float(number: Number) -> float:
     return int(number.p) / int(number.q) if isinstance(number, fmpq) else float(number)
 
 
-def float_unit(problem: Any, unit: Any) -> float:
-    """A unit of a problem as a float; refuses a symbol in it, and what is beyond the floats."""
+def numeric_unit(problem: Any, unit: Any) -> Expr:
+    """A unit of a problem; refuses a symbol in it."""
     unit = sp.sympify(unit)
     if unit.free_symbols:
         raise InputError(f"{problem!r} contains {unit.free_symbols.pop()}; give it a number to "
                          "evaluate, or solve with arithmetic='exact' for its coefficients")
+    return unit
+
+
+def float_unit(problem: Any, unit: Any) -> float:
+    """The same as a float; refuses also what is beyond the floats."""
+    unit = numeric_unit(problem, unit)
     value = float(unit)
     if not 0 < abs(value) < math.inf:
         raise InputError(f"{problem!r} has a unit of about {mpmath.nstr(unit.evalf(), 2)}, beyond "

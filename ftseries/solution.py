@@ -18,7 +18,7 @@ from flint import arb, ctx
 from . import display, storage
 from .aliases import FilePath, Number
 from .arguments import whole
-from .conversion import float_unit, to_ball, to_sympy
+from .conversion import float_unit, numeric_unit, to_ball, to_sympy
 from .errors import InputError
 from .evaluation import unknown
 from .problem import Field, Scalar
@@ -121,7 +121,9 @@ class Solution(Quality):
         if self.arithmetic == "float":
             return 0.0 if number is None else float_unit(self.problem, unit) * number
         with ctx.workprec(self.precision or ctx.prec):
-            return arb(0) if number is None else to_ball(unit) * number
+            unit = to_ball(numeric_unit(self.problem, unit))
+            return arb(0) if number is None else unit * number
+
 
 def _restored(problem: Problem, arithmetic: str, order: int, coefficients: Any,
               precision: int | None) -> Solution:
