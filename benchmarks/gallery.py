@@ -20,7 +20,7 @@ import ftseries as fts
 
 CHAPTER = Path(__file__).parents[1] / "book" / "gallery.ipynb"
 RUNS, SECONDS = 15, 10.0
-TIMED_APART = {                 # not in the chapter's table: see issue 6
+TIMED_APART = {                 # not in the table of the chapter
     "Van der Pol, exactly to ε²⁴": lambda names: names["van_der_pol"],
     "Duffing, order 24": lambda names: names["duffing"].truncate(24),
 }

@@ -41,7 +41,8 @@ class Equations(Problem):
         Unknown to its first terms, such as ``lam*cos(omega*t)``; left out, the first steps are
         solved automatically: about states of rest that are roots of polynomials of few terms, such
         as x² - 2 or x³ - 3, and where the equations are not polynomial about rest at 0.  A motion
-        about another state of rest needs a seed.
+        about another state of rest needs a seed.  With a parameter of the equations among the
+        unknowns, the motion is found that is born as rest becomes unstable (Hopf bifurcation).
     frequency : symbol or name, optional
         The unknown scalar ω with τ = ωt; left out, the period is 2π.
     parameters : tuple of symbols or names, or dict from them to values
