@@ -8,7 +8,7 @@ import sympy as sp
 from flint import arb, fmpq
 
 import ftseries as fts
-from ftseries.conversion import to_ball, to_float, to_mpf
+from ftseries.conversion import float_unit, to_ball, to_float, to_mpf
 
 
 @pytest.mark.parametrize("number", [fmpq(-22, 7), arb(-22) / 7, -22 / 7])
@@ -41,3 +41,17 @@ def test_many_digits_from_every_arithmetic(arithmetic, error):
     with nullcontext() if arithmetic == "ball" else pytest.warns(fts.PrecisionWarning):
         values = [solution.evaluate("x", 0.3, lam=0.2, dps=30) for solution in (exact, other)]
     assert abs(values[0] - values[1]) < error
+
+
+@pytest.mark.parametrize("unit, words", [
+    (sp.Integer(10)**400, "about 1.0e\\+400, beyond the floats"),
+    (sp.Rational(1, 10**400), "about 1.0e-400, beyond the floats"),
+    (sp.sqrt(sp.Symbol("a")), "contains a; give it a number")])
+def test_a_unit_that_is_no_float(unit, words):
+    with pytest.raises(fts.InputError, match=words):
+        float_unit("the problem", unit)
+
+
+def test_a_unit_as_a_float():
+    assert float_unit("the problem", sp.cbrt(3)) == pytest.approx(3**(1 / 3), rel=1e-15)
+    assert float_unit("the problem", -2) == -2

@@ -99,6 +99,12 @@ def test_what_may_be_asked_beyond_the_seed():
     assert not eight.allowed("r", 0, 0)                    # the seed's
 
 
+def test_a_head_start_of_the_fourier_orders():
+    """With ahead = 2 the mode n may begin at λ^{n-2}."""
+    problem = changed(ahead=2)
+    assert problem.allowed("x", 5, 3) and not problem.allowed("x", 7, 3)
+
+
 def test_units_of_the_cubic():
     a = sp.Symbol("a", positive=True)
     problem = fts.CubicOscillator(a)
@@ -112,7 +118,8 @@ def test_units_of_the_cubic():
     (fts.CubicOscillator(), "CubicOscillator(a=1)"), (fts.FigureEight(), "FigureEight()"),
     (fts.CubicOscillator(0.5), "CubicOscillator(a=1/2)"),
     (fts.GeneralizedMathieu(), "GeneralizedMathieu()"),
-    (fts.GeneralizedMathieu("-3/10"), "GeneralizedMathieu(mu=-3/10)")])
+    (fts.GeneralizedMathieu("-3/10"), "GeneralizedMathieu(mu=-3/10)"),
+    (fts.GeneralizedMathieu(2, branch="a1"), "GeneralizedMathieu(mu=2, branch=a1)")])
 def test_repr(problem, text):
     assert repr(problem) == text
 
@@ -355,3 +362,15 @@ def test_numbers_of_sympy_and_numpy_on_the_left():
     assert fts.solve(third, 2).coefficient("omega", 2) == sp.Rational(1, 8)
     sines = with_force(lambda lam, x: np.sin(x)), with_force(lambda lam, x: fts.sin(x))
     assert len({fts.solve(p, 4).coefficient("omega", 4) for p in sines}) == 1
+
+
+def test_a_text_keeps_all_its_digits():
+    assert expression("0.12345678901234567890123") == sp.Rational(12345678901234567890123, 10**23)
+
+
+def test_a_problem_without_equations():
+    class Nothing(Problem):
+        unknowns, seed = Duffing.unknowns, Duffing.seed
+        frequency = "omega"
+    with pytest.raises(InputError, match="Nothing has no equations"):
+        fts.solve(Nothing(), 2)
