@@ -207,7 +207,7 @@ class Sequences(Values):
 
     def _complex_amplitudes(self, lam: complex,
                             parameters: Mapping[str, float]) -> dict[str, Modes]:
-        """The same at a complex λ in the solver's units."""
+        """``{name: {mode: A_n(λ)}}`` at a complex λ, all in the solver's units."""
         point = tuple(parameters.items())
         return {name: {mode: np.polynomial.polynomial.polyval(lam, row)
                        for mode, row in self._table(name, point).items()}

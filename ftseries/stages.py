@@ -16,6 +16,7 @@ change means that the equations contradict each other.  Both name the coefficien
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from flint import fmpq
@@ -178,6 +179,9 @@ class Stages:
         scales = [self.scale(k + shift) for shift in self.linear.shifts]
         for (e, sine, n), c in residual.items():
             if not self.ring.negligible(c, scales[e]):
+                if not self.ring.exact and not math.isfinite(c):
+                    raise SolveError(f"the coefficients leave the floats at order {k} of λ; stay "
+                                     "below, or solve with arithmetic='ball' or 'exact'")
                 if not self.ring.exact and abs(c) < 1e-3 * scales[e]:
                     raise SolveError(
                         f"rounding has grown to {abs(c) / scales[e]:.0e} of the terms at order "

@@ -122,7 +122,13 @@ class Values:
         point = self._point(dict(parameters))
         for m, row in enumerate(self.coefficients[name]):
             for mode, number in row.items():
-                table.setdefault(mode, np.zeros(self.order + 1))[m] = to_float(at(number, point))
+                try:
+                    value = to_float(at(number, point))
+                except OverflowError:
+                    raise InputError(f"the coefficients of {name!r} leave the floats at order {m} "
+                                     f"of λ; truncate({m - 1}), or measure λ in another unit"
+                                     ) from None
+                table.setdefault(mode, np.zeros(self.order + 1))[m] = value
         return table
 
     def _amplitudes(self, name: str, lam: Array, parameters: Point) -> dict[Mode, Real]:

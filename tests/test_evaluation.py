@@ -22,6 +22,7 @@ from ftseries.evaluation import (
     fourier_sum,
     radius_estimate,
 )
+from ftseries.references import gallery
 
 coefficients = st.floats(-3, 3, allow_subnormal=False)
 tables = st.dictionaries(st.sampled_from([(0, 0), (0, 1), (0, 4), (1, 1), (1, 2), (1, 3)]),
@@ -301,3 +302,27 @@ def test_a_unit_beyond_the_floats_is_named():
         value = far.evaluate("r", 0.3, lam=0.2, dps=15) / mpmath.mpf(3) ** 1000
         assert value == pytest.approx(near.evaluate("r", 0.3, lam=0.2) / 3.0**100, abs=1e-3)
     assert far.residual(0.2)["(E3a)"] < 1e-6
+
+
+class Weak(Duffing):
+    """x'' + x/10⁴ + x³ = 0: the radius of convergence is 0.012, and the 200th coefficient 10³⁸³."""
+
+    seed = {"x": [{}, {1: 1}], "omega": [Fraction(1, 100)]}
+
+    def equations(self, lam, x, omega):
+        return {"(weak)": omega**2 * x.diff(2) + x / 10**4 + x**3}
+
+
+def test_coefficients_beyond_the_floats_are_refused():
+    solution = fts.solve(Weak(), 200)
+    with pytest.raises(InputError, match=r"of 'x' leave the floats at order 16\d of λ; truncate"):
+        solution.evaluate("x", 0.3, lam=1e-3)
+    cut = solution.truncate(150)
+    square = sum(float(c) * 0.01**k for k, c in enumerate(gallery.duffing(10)))    # λ/ω₀ = 0.1
+    assert cut.evaluate("omega", lam=1e-3) == pytest.approx(0.01 * square**0.5, rel=1e-14)
+
+
+@pytest.mark.filterwarnings("ignore:(overflow|invalid value) encountered:RuntimeWarning")
+def test_a_float_solution_that_leaves_the_floats_says_so():
+    with pytest.raises(fts.SolveError, match="leave the floats at order 16. of λ; stay below"):
+        fts.solve(Weak(), 200, arithmetic="float")

@@ -199,7 +199,7 @@ def test_first_steps_that_are_refused(equation, unknowns, kind, message):
 
 @pytest.mark.parametrize("a", [1, 2, Fraction(1, 2), Fraction(7, 3)])
 def test_a_motion_is_born_in_a_hopf_bifurcation(a):
-    """The Brusselator; λ² by the amplitude equation in Kuramoto's book of 1984, appendix B."""
+    """The Brusselator; λ² by the amplitude equation in Kuramoto's book of 1984."""
     both, even = fts.Field("both"), fts.Scalar("even")
     problem = fts.Equations(
         [f"x' = {a} - (b + 1)*x + x**2*y", "y' = b*x - x**2*y"], frequency="omega",
