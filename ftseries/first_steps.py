@@ -40,7 +40,7 @@ __all__ = ["first_steps"]
 #: orders 0 … 3 are compared: an energy integral begins at 2, an amplitude may be settled at 3;
 #: while something is free more of them
 _ORDERS = 4
-_MOST = LATEST + 2
+_MOST = LATEST[0] + 2
 
 
 def first_steps(problem: Equations) -> list[dict[str, Expr]]:

@@ -209,6 +209,10 @@ class Family:
         self.linear, self.terms = linear, terms
         self.effects: list[Vector] = [{}] * len(terms)
 
+    def cut(self, length: int) -> None:
+        """Keep so many orders of the response."""
+        del self.terms[length:], self.effects[length:]
+
     def effect(self, late: int) -> Vector:
         """What a unit coordinate leaves over ``late`` orders after its own."""
         while len(self.effects) <= late:
@@ -232,6 +236,27 @@ class LinearPart:
                                             [c for c in columns if c[0] == name][-_PROBES:]])
         self.elimination = Elimination({c: self.rows([{c: fmpq(1)}], 0) for c in columns})
         self.families = [Family(self, [vector]) for vector in self.elimination.kernel]
+        #: L_j depends on the unknowns up to order j + reach
+        self.reach, self.top = max(self.shifts), top
+        self.base = self._base(base)
+
+    def _base(self, known: Coefficients) -> list[list[Modes]]:
+        """What L₀ depends on."""
+        return [[dict(rows[m]) if m < len(rows) else {} for m in range(self.reach + 1)]
+                for rows in known.values()]
+
+    def fits(self, known: Coefficients) -> bool:
+        """Is this still the linear part, now that so much is known?"""
+        return self.base == self._base(known)
+
+    def settled(self, k: int) -> None:
+        """Order k is known from now on: drop the responses that were found without it."""
+        for family in self.families:
+            family.cut(max(k - self.reach, 1))
+
+    def forget(self) -> None:
+        """Drop all responses, as the unknowns have changed."""
+        self.settled(0)
 
     def _leading_orders(self, columns: list[Column]) -> list[int]:
         """s_e for every equation."""

@@ -9,14 +9,14 @@ from __future__ import annotations
 
 import math
 import os
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from flint import ctx, fmpq
 from tqdm import tqdm
 
 from .aliases import Coefficients, Number
 from .arguments import whole
-from .errors import InputError, SolveError
+from .errors import InputError, SolveError, UndeterminedError
 from .grid import FloatRing
 from .laurent import BallRing, PolynomialRing, RationalRing, SurdRing
 from .linear import LinearPart
@@ -28,9 +28,6 @@ if TYPE_CHECKING:
     from .trig import Ring
 
 __all__ = ["solve"]
-
-#: Taylor orders that the exact arithmetic gives to the others
-LEAD = 2 * LATEST
 
 
 def solve(problem: Problem, order: int, arithmetic: str = "exact", precision: int = 128,
@@ -85,32 +82,47 @@ def solve(problem: Problem, order: int, arithmetic: str = "exact", precision: in
                          f"{type(problem).__name__}")
     seed = problem.first_coefficients()
     _check_memory(problem, order, arithmetic, precision)
-    ring: Ring = _exact_ring(problem)
-    known = _converted(seed, ring)
     asked, order = order, max(order, *(len(rows) for rows in seed.values()))    # checks the seed
-    linear = LinearPart(problem, ring, known, order + LATEST + problem.ahead)
     problem.check_time()
-    lead = order if arithmetic == "exact" else min(order, LEAD)
     bar = tqdm(total=order, desc=f"order of {type(problem).__name__}", delay=10, leave=False,
                disable=not progress)
     with bar:
-        Stages(problem, linear, ring, known, lead).run(bar)
-        if problem.surd:
-            known = _without_surd(known, problem)
-        if arithmetic == "float":
-            top = order + LATEST + max(linear.shifts)
-            ring = FloatRing(degree=top + problem.ahead, order=top)
-            known = _converted(known, ring)
-            if order > lead:
-                Stages(problem, linear, ring, known, order).run(bar, fresh=False)
-        elif arithmetic == "ball":
-            ring = BallRing()
-            with ctx.workprec(precision):
-                known = _converted(known, ring)
-                if order > lead:
-                    Stages(problem, linear, ring, known, order).run(bar, fresh=False)
+        for late in LATEST:
+            try:
+                known = _solved(problem, seed, order, arithmetic, precision, late, bar)
+                break
+            except UndeterminedError:
+                if late == LATEST[-1]:
+                    raise
     return Solution(problem, arithmetic, order, known,
                     precision if arithmetic == "ball" else None).truncate(asked)
+
+
+def _solved(problem: Problem, seed: Coefficients, order: int, arithmetic: str, precision: int,
+            late: int, bar: Any) -> Coefficients:
+    """The coefficients, if all are settled at most ``late`` orders after their own."""
+    ring: Ring = _exact_ring(problem)
+    known = _converted(seed, ring)
+    linear = LinearPart(problem, ring, known, order + late + problem.ahead)
+    lead = order if arithmetic == "exact" else min(order, 2 * (late + linear.reach))
+    first = Stages(problem, linear, ring, known, lead, late)
+    first.run(bar)
+    linear = first.linear
+    if problem.surd:
+        known = _without_surd(known, problem)
+    if arithmetic == "float":
+        top = order + late + linear.reach
+        ring = FloatRing(degree=top + problem.ahead, order=top)
+        known = _converted(known, ring)
+        if order > lead:
+            Stages(problem, linear, ring, known, order, late).run(bar, fresh=False)
+    elif arithmetic == "ball":
+        ring = BallRing()
+        with ctx.workprec(precision):
+            known = _converted(known, ring)
+            if order > lead:
+                Stages(problem, linear, ring, known, order, late).run(bar, fresh=False)
+    return known
 
 
 def _exact_ring(problem: Problem) -> PolynomialRing | RationalRing:

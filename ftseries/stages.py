@@ -5,13 +5,29 @@ linear part (:mod:`ftseries.linear`) and s_e the order at which equation e begin
 unknowns,
 
 1. evaluate R_{k+s} with U_k = 0;
-2. solve L₀ x = -R_{k+s}.  What is left over depends affinely on the kernel coordinates that
-   earlier orders left open (A_{0,2m} in the figure eight, a_m in Mathieu's equation): settle them;
-3. set U_k = x plus the consequences of what was settled, open the kernel coordinates of order k,
-   and check that R_{k+s} now vanishes.
+2. solve L₀ x = -R_{k+s}.  What is left over depends on the kernel coordinates that earlier orders
+   left open (A_{0,2m} in the figure eight, a_m in Mathieu's equation): settle them, the newest
+   first, by their linear effect;
+3. set U_k = x plus the consequences of what was settled, and open the kernel coordinates of order
+   k;
+4. evaluate again all rows that the stage touched, from the lowest order on: they have to vanish.
+
+A coordinate that is settled late, at k, was opened at some order m < k, and its powers and products
+act from order 2m on: on rows that were already closed, or on those of this very stage.  Where a row
+that has been touched does not vanish, all stages are passed through again, and every coefficient
+starts from the value it has now: what was settled before needs no change then, and what came too
+late acts in its place.  A row that does not vanish while a coordinate is open whose square might
+enter it waits for that one.
+
+Why it ends.  If every coordinate is determined by an equation that is affine in it once those
+settled before are right, then each pass makes one more right for good, and there are finitely many
+up to the order at which squares no longer matter: coordinates opened at m and settled by m + late
+disturb nothing beyond 2·late + s.  Otherwise the first orders are truly non-linear; that is refused
+after some passes without progress.
 
 A coordinate that stays open means that λ has no concrete meaning yet; a left-over that nothing can
 change means that the equations contradict each other.  Both name the coefficient or the equation.
+Stages beyond the order that was asked settle what is open there, and are held to the same.
 """
 
 from __future__ import annotations
@@ -25,10 +41,9 @@ from .aliases import Coefficients, Column, Number, Row, Vector
 from .errors import ContradictionError, SolveError, UndeterminedError
 from .expansion import Expansion
 from .laurent import RationalRing
-from .linear import Elimination, Family
+from .linear import Elimination, Family, LinearPart
 
 if TYPE_CHECKING:
-    from .linear import LinearPart
     from .problem import Problem
     from .trig import Ring
 
@@ -37,80 +52,119 @@ __all__ = ["LATEST", "Stages", "contradiction"]
 #: what is to be added to the unknowns, by Taylor order
 Changes: TypeAlias = dict[int, dict[Column, Number]]
 
-#: how many orders late a coordinate may be settled
-LATEST = 4
+#: how many orders late a coordinate is settled at the latest: tried one after the other
+LATEST = (4, 12)
+#: passes that end at the same stage before the first orders count as non-linear
+_PASSES = 6
 
 
 class Stages:
     """The state of one solve over one ring; ``known`` is extended in place."""
 
     def __init__(self, problem: Problem, linear: LinearPart, ring: Ring, known: Coefficients,
-                 order: int) -> None:
-        self.problem, self.linear, self.ring = problem, linear, ring
-        self.known, self.order = known, order
+                 order: int, late: int = LATEST[0]) -> None:
+        self.problem, self.ring, self.known = problem, ring, known
+        self.order, self.late = order, late
         self.expansion = Expansion(ring)
         self.unknowns = {name: self.expansion.unknown() for name in problem.unknowns}
         self.residuals = list(problem.residuals(self.expansion.lam, self.unknowns).values())
-        self.elimination = linear.elimination
-        if not isinstance(ring, RationalRing):
-            self.elimination = self.elimination.converted(ring.number)
+        #: how many orders of each unknown are given, and the first that is sought
+        self.given = {name: len(rows) for name, rows in known.items()}
+        self.start = min(self.given.values())
+        self.begin(linear)
+
+    def begin(self, linear: LinearPart) -> None:
+        """What is given, and nothing open."""
+        self.linear, self.elimination = linear, linear.elimination
+        if not isinstance(self.ring, RationalRing):
+            self.elimination = self.elimination.converted(self.ring.number)
         self.open: list[tuple[int, Family]] = []        # (the order it starts at, Family)
-        self.start = min(len(rows) for rows in known.values())
-        for name, rows in known.items():
-            for k, row in enumerate(rows):
-                self.unknowns[name].set(k, ring.from_modes(row))
+        self.waiting: int | None = None                 # the lowest order with a row that waits
+        self.expansion.forget(0)
+        for name, given in self.given.items():
+            for k in range(given):
+                self.unknowns[name].set(k, self.ring.from_modes(self.known[name][k]))
 
     def run(self, bar: Any, fresh: bool = True) -> None:
         """All stages; a ``fresh`` run also checks the seed and opens what it leaves free."""
         for k in range(self.start if fresh else 0):
             self.open_kernel(k)
-            self.verify(k, "the seed does not satisfy equation {name} at order {order} of λ; "
-                           "check the first coefficients")
-        k = self.start
+            if row := self.unsatisfied(k):
+                self.refuse(k, row, "the seed does not satisfy equation {name} at order {order} of "
+                                    "λ; check the first coefficients")
+        k, farthest, passes = self.start, self.start, 0
         while k <= self.order or any(start <= self.order for start, _ in self.open):
-            self.stage(k)
+            touched = self.stage(k)
+            lowest = min(k if self.waiting is None else self.waiting, *touched, k)
+            bad = next((j for j in range(lowest, k + 1) if self.unsatisfied(j)), None)
+            if bad is not None and fresh and (min(touched, default=k) < k
+                                              or not self.linear.fits(self.known)):
+                farthest, passes = max(farthest, k), 1 if k > farthest else passes + 1
+                if passes > _PASSES:
+                    self.nonlinear(bad)
+                k = self.again()
+                continue
+            if bad is not None and not (fresh and self.may_change(bad)):
+                self.refuse(bad)
+            self.waiting = bad
             if k <= self.order:
                 bar.update()
             k += 1
+        if self.waiting is not None:
+            self.refuse(self.waiting)
         for rows in self.known.values():
             del rows[self.order + 1:]
 
-    def stage(self, k: int) -> None:
+    def again(self) -> int:
+        """Back to the first stage, with all coefficients as they are; its number."""
+        if self.linear.fits(self.known):
+            self.linear.forget()
+        else:
+            self.linear = LinearPart(self.problem, self.ring, self.known, self.linear.top)
+        self.begin(self.linear)
+        for k in range(self.start):
+            self.open_kernel(k)
+        return self.start
+
+    def may_change(self, order: int) -> bool:
+        """May the square of an open coordinate enter the rows of this order?"""
+        return any(2 * start <= order + max(self.linear.shifts) for start, _ in self.open)
+
+    def stage(self, k: int) -> set[int]:
+        """One more order; those that it touched."""
         self.expansion.forget(k)
         for name, rows in self.known.items():
             if len(rows) <= k:
                 rows.append({})
-                self.unknowns[name].set(k, self.ring.from_modes({}))
-        residual = self.residual(k)
-        update, left = self.elimination.solve({row: -c for row, c in residual.items()})
+            if k >= self.given[name]:
+                self.unknowns[name].set(k, self.ring.from_modes(rows[k]))
+        update, left = self.elimination.solve({row: -c for row, c in self.residual(k).items()})
         changes = {k: update}
         self.settle(k, left, changes)
         touched = self.apply(changes, k)
         self.expansion.forget(min(touched, default=k))
+        self.linear.settled(k)
         self.open_kernel(k)
-        if k <= self.order:
-            self.verify(k, "equation {name} has no solution at order {order} of λ, mode {mode}: "
-                           "no coefficient can change it; the equations contradict each other, the "
-                           "seed or the ansatz, or the first orders are non-linear: then give a "
-                           "longer seed")
+        return touched
 
     def residual(self, k: int) -> dict[Row, Number]:
         """The rows of R_{k+s}."""
-        rows = {}
-        for e, (series, shift) in enumerate(zip(self.residuals, self.linear.shifts)):
-            for (sine, n), c in series[k + shift].modes().items():
-                if self.ring.exact or n <= k + shift + self.problem.ahead:
-                    rows[e, sine, n] = c
-        return rows
+        return {(e, sine, n): c for e, (series, shift) in enumerate(
+            zip(self.residuals, self.linear.shifts)) for (sine, n), c in
+            series[k + shift].modes().items()
+            if self.ring.exact or n <= k + shift + self.problem.ahead}
 
     def settle(self, k: int, left: dict[Row, Number], changes: Changes) -> None:
         """Fix open coordinates so that ``left`` vanishes; add what follows to ``changes``."""
         number = self.ring.number
+        self.open.sort(key=lambda each: -each[0])               # the newest change the least
         effects = {i: family.effect(k - start) for i, (start, family) in enumerate(self.open)}
         matrix = Elimination(effects)
         values, _ = matrix.converted(number).solve(
             {row: c for row, c in left.items() if any(row in e for e in effects.values())})
         for i, value in values.items():
+            if self.ring.is_zero(value):
+                continue
             start, family = self.open[i]
             for j, term in enumerate(family.terms[:k - start + 1]):
                 for column, c in term.items():
@@ -118,12 +172,15 @@ class Stages:
                     row[column] = row.get(column, number(0)) + value * number(c)
         self.open = [self.combined(vector, k) for vector in matrix.kernel]
         for start, family in self.open:
-            if k - start >= LATEST and start <= self.order:
+            if k - start >= self.late and start <= self.order:
                 name, sine, n = next(iter(family.terms[0]))
+                label = _label(self.problem, name, sine, n, start)
+                if self.waiting is not None:
+                    self.nonlinear(self.waiting)
                 raise UndeterminedError(
-                    f"nothing determines {_label(self.problem, name, sine, n, start)}: λ has no "
-                    "concrete meaning yet; fix an amplitude ('fixed' in its Field) or add the "
-                    "equation that defines λ")
+                    f"nothing up to {self.late} orders later determines {label}: λ has no concrete "
+                    "meaning yet; fix an amplitude ('fixed' in its Field) or add the equation that "
+                    "defines λ")
 
     def combined(self, vector: Vector, k: int) -> tuple[int, Family]:
         """The open direction Σ vector_i · (direction i); a single one is kept as it is."""
@@ -141,23 +198,15 @@ class Stages:
         return first, Family(self.linear, terms)
 
     def apply(self, changes: Changes, k: int) -> set[int]:
-        """Add ``changes`` to the unknowns; the orders that were touched."""
-        touched, scale = set(), self.scale(k)
+        """Add ``changes`` to the unknowns, as far as the ansatz has them; the orders touched."""
+        touched = set()
         for m, update in changes.items():
             names = set()
             for (name, sine, n), c in update.items():
-                if not self.problem.allowed(name, n, m):
-                    if not self.ring.negligible(c, scale):
-                        label = _label(self.problem, name, sine, n, m)
-                        if m < len(self.problem.seed[name]):
-                            raise SolveError("the seed does not satisfy the equations: they would "
-                                             f"change {label} by {c}")
-                        raise SolveError("the ansatz is too narrow: the equations ask for "
-                                         f"{label} = {c}, which it leaves out")
-                    continue
-                row = self.known[name][m]
-                row[sine, n] = row[sine, n] + c if (sine, n) in row else c
-                names.add(name)
+                if self.problem.allowed(name, n, m) and not self.ring.is_zero(c):
+                    row = self.known[name][m]
+                    row[sine, n] = row[sine, n] + c if (sine, n) in row else c
+                    names.add(name)
             for name in names:
                 row = self.known[name][m]
                 if self.ring.exact:
@@ -174,24 +223,58 @@ class Stages:
             if all(self.problem.allowed(name, n, k) for name, _, n in family.terms[0]):
                 self.open.append((k, family))
 
-    def verify(self, k: int, message: str) -> None:
+    def unsatisfied(self, k: int) -> tuple[Row, Number, float] | None:
+        """A row of R_{k+s} that does not vanish, its value, and the size of its terms."""
         residual = self.residual(k)                     # evaluates the nodes that scale looks at
-        scales = [self.scale(k + shift) for shift in self.linear.shifts]
-        for (e, sine, n), c in residual.items():
-            if not self.ring.negligible(c, scales[e]):
-                if not self.ring.exact and not math.isfinite(c):
-                    raise SolveError(f"the coefficients leave the floats at order {k} of λ; stay "
-                                     "below, or solve with arithmetic='ball' or 'exact'")
-                if not self.ring.exact and abs(c) < 1e-3 * scales[e]:
-                    raise SolveError(
-                        f"rounding has grown to {abs(c) / scales[e]:.0e} of the terms at order "
-                        f"{k} of λ; stay below, or solve with arithmetic='ball' or 'exact'")
-                raise ContradictionError(message.format(
-                    name=self.linear.names[e], order=k + self.linear.shifts[e],
-                    mode=f"{'sin' if sine else 'cos'} {n}τ"))
+        scales = [_scale(self.expansion, k + shift) for shift in self.linear.shifts]
+        return next(((row, c, scales[row[0]]) for row, c in residual.items()
+                     if not self.ring.negligible(c, scales[row[0]])), None)
 
-    def scale(self, order: int) -> float:
-        return _scale(self.expansion, order)
+    def refuse(self, k: int, row: tuple[Row, Number, float] | None = None, message: str =
+               "equation {name} has no solution at order {order} of λ, mode {mode}: no coefficient "
+               "can change it; the equations contradict each other, the seed or the ansatz, or the "
+               "first orders are non-linear: then give a longer seed") -> None:
+        """Say why the rows of R_{k+s} cannot vanish."""
+        (e, sine, n), c, scale = row or self.unsatisfied(k)     # type: ignore[misc]
+        if not self.ring.exact:
+            if not math.isfinite(c):
+                raise SolveError(f"the coefficients leave the floats at order {k} of λ; stay "
+                                 "below, or solve with arithmetic='ball' or 'exact'")
+            if abs(c) < 1e-3 * scale:
+                raise SolveError(
+                    f"rounding has grown to {abs(c) / scale:.0e} of the terms at order "
+                    f"{k} of λ; stay below, or solve with arithmetic='ball' or 'exact'")
+        if k >= self.start:
+            self.refuse_ansatz(k)
+        raise ContradictionError(message.format(
+            name=self.linear.names[e], order=k + self.linear.shifts[e],
+            mode=f"{'sin' if sine else 'cos'} {n}τ"))
+
+    def refuse_ansatz(self, k: int) -> None:
+        """Refuse if coefficients would satisfy the rows that the ansatz or the seed leaves out."""
+        update, _ = self.elimination.solve({row: -c for row, c in self.residual(k).items()})
+        for (name, sine, n), c in update.items():
+            if self.problem.allowed(name, n, k) or self.ring.negligible(c, _scale(self.expansion,
+                                                                                 k)):
+                continue
+            label = _label(self.problem, name, sine, n, k)
+            if k < len(self.problem.seed[name]):
+                raise SolveError("the seed does not satisfy the equations: they would "
+                                 f"change {label} by {c}")
+            beyond = n > k + self.problem.ahead
+            raise SolveError(f"the ansatz is too narrow: the equations ask for {label} = {c}, "
+                             "which it leaves out" + (
+                                 f": its Fourier orders are n ≤ m + {self.problem.ahead} at order "
+                                 f"m of λ; this one needs ahead={n - k} or more" if beyond else ""))
+
+    def nonlinear(self, k: int) -> None:
+        """Refuse where passing through the stages again does not lead on."""
+        row, *_ = self.unsatisfied(k)           # type: ignore[misc]
+        e = row[0]
+        raise SolveError(
+            f"equation {self.linear.names[e]} is non-linear in the coefficients that it has to "
+            f"determine at order {k + self.linear.shifts[e]} of λ, and correcting them does not "
+            "end; a longer seed chooses one of its solutions, if it has any")
 
 
 def contradiction(problem: Problem, ring: Ring, known: Coefficients,
