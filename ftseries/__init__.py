@@ -12,6 +12,7 @@ from . import figure_eight
 from .errors import (
                      ContradictionError,
                      ConvergenceWarning,
+                     FaultError,
                      FileError,
                      FTSeriesError,
                      InputError,
@@ -33,5 +34,5 @@ __version__ = "0.1.0"
 __all__ = ["solve", "sweep", "Solution", "load", "Problem", "Equations", "Field", "Scalar",
            "CubicOscillator", "GeneralizedMathieu", "FigureEight", "figure_eight", "sin", "cos",
            "exp", "FTSeriesError", "InputError", "NonAnalyticError", "SolveError",
-           "UndeterminedError", "ContradictionError", "FileError", "ConvergenceWarning",
-           "PrecisionWarning"]
+           "UndeterminedError", "ContradictionError", "FaultError", "FileError",
+           "ConvergenceWarning", "PrecisionWarning"]

@@ -1,7 +1,8 @@
 """One family of errors: every refusal is a :class:`FTSeriesError` and one clear sentence."""
 
 __all__ = ["FTSeriesError", "InputError", "NonAnalyticError", "SolveError", "UndeterminedError",
-           "ContradictionError", "FileError", "ConvergenceWarning", "PrecisionWarning"]
+           "ContradictionError", "FaultError", "FileError", "ConvergenceWarning",
+           "PrecisionWarning"]
 
 
 class FTSeriesError(Exception):
@@ -26,6 +27,10 @@ class UndeterminedError(SolveError):
 
 class ContradictionError(SolveError):
     """Two equations of one order cannot hold together."""
+
+
+class FaultError(SolveError):
+    """What was found does not satisfy the equations: a fault of ftseries itself."""
 
 
 class FileError(FTSeriesError):

@@ -22,8 +22,8 @@ from .ansatz import Field, Scalar, in_parity
 from .arguments import decimal
 from .conversion import in_fractions, to_float
 from .errors import InputError
-from .sampling import Sampled, Samples
-from .series import Series
+from .function import Function as AnyFunction
+from .sampling import Samples
 
 __all__ = ["Field", "Scalar", "Problem", "expression"]
 
@@ -155,7 +155,7 @@ class Problem:
             raise InputError(f"{kind}.equations must return a dict from the name of each equation "
                              f"to its residual, not {residuals!r}")
         for name, residual in residuals.items():
-            if not isinstance(residual, (Series, Sampled)):
+            if not isinstance(residual, AnyFunction):
                 raise InputError(f"equation {name} of {kind} is {residual!r}, not a series; write "
                                  "left side minus right side in the unknowns")
         return residuals

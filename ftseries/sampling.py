@@ -12,11 +12,13 @@ from collections.abc import Mapping, Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
+from flint import fmpq
 from numpy.typing import NDArray
 
 from .aliases import ArrayLike, Exact
 from .arguments import rational
 from .errors import InputError
+from .function import Function
 
 __all__ = ["Samples", "Sampled"]
 
@@ -53,7 +55,7 @@ class Samples:
         return Sampled(self, np.sin(n * self.tau))
 
 
-class Sampled:
+class Sampled(Function):
     """One function on the grid; ``derivatives`` are known where its coefficients are.
 
     The derivative of samples alone multiplies their rounding by n, the second one by n².
@@ -63,39 +65,28 @@ class Sampled:
                  derivatives: Sequence[NDArray[Any]] = ()) -> None:
         self.expansion, self.values, self.derivatives = samples, values, derivatives
 
-    def _other(self, other: Operand) -> NDArray[Any]:
-        return other.values if isinstance(other, Sampled) else self.expansion.constant(other).values
-
     def _new(self, values: NDArray[Any]) -> Sampled:
         return Sampled(self.expansion, values)
 
-    def __add__(self, other: Operand) -> Sampled:
-        return self._new(self.values + self._other(other))
+    def _sum(self, other: Sampled) -> Sampled:
+        return self._new(self.values + other.values)
 
-    __radd__ = __add__
+    def _product(self, other: Sampled) -> Sampled:
+        return self._new(self.values * other.values)
 
-    def __neg__(self) -> Sampled:
-        return self._new(-self.values)
-
-    def __sub__(self, other: Operand) -> Sampled:
-        return self._new(self.values - self._other(other))
-
-    def __rsub__(self, other: Operand) -> Sampled:
-        return self._new(self._other(other) - self.values)
-
-    def __mul__(self, other: Operand) -> Sampled:
-        return self._new(self.values * self._other(other))
-
-    __rmul__ = __mul__
+    def _multiple(self, number: Operand) -> Sampled:
+        return self._product(self.expansion.constant(number))
 
     def __truediv__(self, other: Operand) -> Sampled:
-        return self._new(self.values / self._other(other))
+        return self._new(self.values / self._function(other).values)    # rounds once
 
     def __rtruediv__(self, other: Operand) -> Sampled:
-        return self._new(self._other(other) / self.values)
+        return self._function(other) / self
 
     def __pow__(self, alpha: Exact) -> Sampled:
-        alpha = rational(alpha)
+        return self._power(rational(alpha))
+
+    def _power(self, alpha: fmpq) -> Sampled:
         if alpha.q == 1:
             return self._new(self.values ** int(alpha.p))
         return self._new(self.values ** (int(alpha.p) / int(alpha.q)))

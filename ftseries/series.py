@@ -22,42 +22,26 @@ a second look at an order costs a handful of products.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cache
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpq
-from sympy import SympifyError
 
-from .aliases import Exact, Function, Multiplier, Number, Term
+from .aliases import Exact, Multiplier, Number, Term
 from .arguments import decimal
 from .errors import InputError
+from .function import Function
 
 if TYPE_CHECKING:
     from .expansion import Expansion
 
 __all__ = ["Series", "exp", "sin", "cos"]
 
-#: what stands beside a series in a formula: another one, or a number
-Operand: TypeAlias = "Series | Exact"
-
 #: orders from either end of a Cauchy sum that are summed anew after a change
 WINDOW = 3
 
 
-class NotSymPy(InputError, SympifyError):  # type: ignore[misc]   # SymPy has no types
-    """SymPy's own numbers step back at this one, so that Rational(1, 3) * x is a series."""
-
-    __str__ = ValueError.__str__
-
-
-def _refusal(sentence: str, error: type[InputError] = InputError) -> Callable[..., Any]:
-    def refuse(self: Series, *_: Any) -> Any:
-        raise error(sentence)
-    return refuse
-
-
-class Series:
+class Series(Function):
     """A Fourier-Taylor series; ``u[k]`` is the Taylor coefficient of order k."""
 
     def __init__(self, expansion: Expansion) -> None:
@@ -77,60 +61,28 @@ class Series:
     def forget(self, k: int) -> None:
         self.table.cut(k)
 
-    def __add__(self, other: Operand) -> Series:
-        return Sum(self, self._series(other))
+    def _sum(self, other: Series) -> Series:
+        return Sum(self, other)
 
-    __radd__ = __add__
+    def _product(self, other: Series) -> Series:
+        return Product(self, other)
 
-    def __neg__(self) -> Series:
-        return self * -1
+    def _multiple(self, number: Exact) -> Series:
+        return Multiple(self, decimal(number))
 
-    def __sub__(self, other: Operand) -> Series:
-        return self + -self._series(other)
-
-    def __rsub__(self, other: Operand) -> Series:
-        return self._series(other) + -self
-
-    def __mul__(self, other: Operand) -> Series:
-        return Product(self, other) if isinstance(other, Series) else Multiple(self, decimal(other))
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other: Operand) -> Series:
-        if isinstance(other, Series):
-            return self * other**-1
-        number = decimal(other)
-        if number == 0:
-            raise InputError("a series is divided by the number zero")
-        return Multiple(self, 1 / number)
-
-    def __rtruediv__(self, other: Operand) -> Series:
-        return self**-1 * other
-
-    def __pow__(self, alpha: Exact) -> Series:
-        alpha = decimal(alpha)
-        if alpha.q == 1 and alpha > 0:
-            if alpha == 1:
-                return self
-            half = self ** int(alpha.p // 2)
-            return half * half * self if alpha.p % 2 else half * half
-        return self._series(1) if alpha == 0 else Power(self, alpha)
+    def _power(self, alpha: fmpq) -> Series:
+        return Power(self, alpha)
 
     def diff(self, times: int = 1) -> Series:
-        """The derivative d/dτ, or one of higher order."""
         if times not in DERIVATIVES:
             raise InputError(f"a derivative of order {times!r} is not offered; use 1 or 2")
         return ModeMultiple(self, DERIVATIVES[times])
 
     def shift(self, fraction: Exact) -> Series:
-        """The series at τ + 2π·fraction, for a rational fraction of a period."""
         fraction = decimal(fraction)
         return ModeMultiple(self, lambda n, ring: ring.turn(fraction * n))
 
     def neighbours(self, bodies: int = 3) -> Series:
-        """The sum of the series at τ + 2πj/bodies, j = 1 … bodies-1: what the others of a
-        choreography contribute.  Mode n is multiplied by bodies - 1 if bodies divides n, else
-        by -1, so it is rational although the single shifts are not."""
         return ModeMultiple(self, _neighbours(bodies))
 
     def sin(self) -> Series:
@@ -147,24 +99,8 @@ class Series:
         if self not in pairs:
             s, c = pairs[self] = SinCos(self, True), SinCos(self, False)
             s.partner, c.partner = c, s
-        return pairs[self]
-
-    def _series(self, x: Operand) -> Series:
-        return x if isinstance(x, Series) else self.expansion.constant(x)
-
-    # What Python offers to numbers, and a series cannot be asked.
-    __xor__ = __rxor__ = _refusal("^ is no power in Python; write x**3")
-    __abs__ = _refusal("|x| has no Fourier-Taylor series; write a formula that is analytic, such "
-                       "as x**2")
-    __lt__ = __le__ = __gt__ = __ge__ = _refusal(
-        "a series is neither large nor small, so equations cannot hold if, max or min of one; "
-        "write formulas that are analytic")
-    __float__ = __complex__ = _sympy_ = _refusal(
-        "functions of math and SymPy do not know series; use ftseries.sin, ftseries.cos, "
-        "ftseries.exp, and powers such as x**Fraction(1, 2)", NotSymPy)
-    sqrt = log = tan = sinh = cosh = tanh = _refusal(
-        "of NumPy's functions, a series knows sin, cos and exp; write the others by these and by "
-        "powers, such as x**Fraction(1, 2) for a root")
+        found: tuple[Series, Series] = pairs[self]
+        return found
 
 
 @cache
@@ -283,16 +219,16 @@ class SinCos(Convolution):
         return self.sum(self.u, self.partner, k, 1, 0, sign).scale(self.ring.number(fmpq(1, k)))
 
 
-def sin(u: Function) -> Function:
+def sin(u: Any) -> Any:
     """sin u of a series that vanishes at λ = 0."""
     return u.sin()
 
 
-def cos(u: Function) -> Function:
+def cos(u: Any) -> Any:
     """cos u of a series that vanishes at λ = 0."""
     return u.cos()
 
 
-def exp(u: Function) -> Function:
+def exp(u: Any) -> Any:
     """exp u of a series that vanishes at λ = 0."""
     return u.exp()

@@ -16,10 +16,11 @@ from tqdm import tqdm
 
 from .aliases import Coefficients, Number
 from .arguments import whole
-from .errors import InputError, SolveError, UndeterminedError
+from .errors import FaultError, InputError, SolveError, UndeterminedError
 from .grid import FloatRing
 from .laurent import BallRing, PolynomialRing, RationalRing, SurdRing
 from .linear import LinearPart
+from .phases import mode, unsatisfied
 from .problem import Problem
 from .solution import Solution
 from .stages import LATEST, Stages
@@ -122,7 +123,26 @@ def _solved(problem: Problem, seed: Coefficients, order: int, arithmetic: str, p
             known = _converted(known, ring)
             if order > lead:
                 Stages(problem, linear, ring, known, order, late).run(bar, fresh=False)
+    _verify(problem, arithmetic, known, linear, precision)
     return known
+
+
+def _verify(problem: Problem, arithmetic: str, known: Coefficients, linear: LinearPart,
+            precision: int) -> None:
+    """Nothing leaves the solver whose equations were not looked at afresh."""
+    defect = unsatisfied(problem, arithmetic, known, linear.shifts,
+                         precision if arithmetic == "ball" else None)
+    if defect is None:
+        return
+    if arithmetic == "float" and not defect.share > 1e-3:
+        raise SolveError(f"rounding has grown to {defect.share:.0e} of the terms of equation "
+                         f"{defect.equation} at order {defect.order} of λ; stay below, or solve "
+                         "with arithmetic='ball' or 'exact'")
+    sine, n = mode(problem, known, defect)
+    raise FaultError(f"the coefficients that were found do not satisfy equation {defect.equation} "
+                     f"of {problem!r} at order {defect.order} of λ, mode {'sin' if sine else 'cos'}"
+                     f" {n}τ; this is a fault of ftseries: please report the problem with this "
+                     "message, and do not use another order of it unchecked")
 
 
 def _exact_ring(problem: Problem) -> PolynomialRing | RationalRing:
