@@ -16,7 +16,9 @@ from tqdm import tqdm
 
 from .aliases import Coefficients, Number
 from .arguments import whole
-from .errors import FaultError, InputError, SolveError, UndeterminedError
+from .degrees import highest
+from .errors import FaultError, InputError, PrecisionWarning, SolveError, UndeterminedError
+from .evaluation import warn
 from .grid import FloatRing
 from .laurent import BallRing, PolynomialRing, RationalRing, SurdRing
 from .linear import LinearPart
@@ -29,6 +31,9 @@ if TYPE_CHECKING:
     from .trig import Ring
 
 __all__ = ["solve"]
+
+#: of floats that keep fewer digits a warning is given; the rounding of an order, of its terms
+DIGITS, ROUNDING = 3, 10 * 2.0**-53
 
 
 def solve(problem: Problem, order: int, arithmetic: str = "exact", precision: int = 128,
@@ -113,10 +118,12 @@ def _solved(problem: Problem, seed: Coefficients, order: int, arithmetic: str, p
         known = _without_surd(known, problem)
     if arithmetic == "float":
         top = order + late + linear.reach
-        ring = FloatRing(degree=top + problem.ahead, order=top)
+        ring = FloatRing(degree=highest(problem, top) if problem.ahead else top, order=top)
         known = _converted(known, ring)
         if order > lead:
-            Stages(problem, linear, ring, known, order, late).run(bar, fresh=False)
+            stages = Stages(problem, linear, ring, known, order, late)
+            stages.run(bar, fresh=False)
+            _warn_of_rounding(problem, known, lead, stages.sizes)
     elif arithmetic == "ball":
         ring = BallRing()
         with ctx.workprec(precision):
@@ -143,6 +150,25 @@ def _verify(problem: Problem, arithmetic: str, known: Coefficients, linear: Line
                      f"of {problem!r} at order {defect.order} of λ, mode {'sin' if sine else 'cos'}"
                      f" {n}τ; this is a fault of ftseries: please report the problem with this "
                      "message, and do not use another order of it unchecked")
+
+
+def _warn_of_rounding(problem: Problem, known: Coefficients, lead: int,
+                      sizes: dict[int, float]) -> None:
+    """Warn where the floats of an order keep few digits, against the terms they come from.
+
+    Orders that are zero among the first ones, which are exact, are zero: rounding is all they have.
+    """
+    for name, rows in known.items():
+        first = [m for m, row in enumerate(rows[:lead + 1]) if row]
+        step = math.gcd(*(m - first[0] for m in first)) if first else 0
+        for m in range(first[0] + step, len(rows), step) if step else ():
+            size = max(map(abs, rows[m].values()), default=0.0)
+            if m > lead and size * 10**-DIGITS < ROUNDING * sizes.get(m, 0.0):
+                warn(f"from order {m} of λ on, the coefficients of {name!r} keep fewer than "
+                     f"{DIGITS} digits: they are what is left of terms of about "
+                     f"{sizes[m] / max(size, 1e-300):.0e} times their size; truncate({m - 1}), or "
+                     "solve with arithmetic='ball' or 'exact'", PrecisionWarning)
+                break
 
 
 def _exact_ring(problem: Problem) -> PolynomialRing | RationalRing:

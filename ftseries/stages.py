@@ -68,6 +68,8 @@ class Stages:
         self.expansion = Expansion(ring)
         self.unknowns = {name: self.expansion.unknown() for name in problem.unknowns}
         self.residuals = list(problem.residuals(self.expansion.lam, self.unknowns).values())
+        #: the size of the terms by which each order was found, in floats
+        self.sizes: dict[int, float] = {}
         #: how many orders of each unknown are given, and the first that is sought
         self.given = {name: len(rows) for name, rows in known.items()}
         self.start = min(self.given.values())
@@ -138,7 +140,9 @@ class Stages:
                 rows.append({})
             if k >= self.given[name]:
                 self.unknowns[name].set(k, self.ring.from_modes(rows[k]))
-        update, left = self.elimination.solve({row: -c for row, c in self.residual(k).items()})
+        ahead = None if self.ring.exact else self.problem.ahead         # the rest is rounding
+        update, left = self.elimination.solve(
+            {row: -c for row, c in self.residual(k, ahead).items()})
         changes = {k: update}
         self.settle(k, left, changes)
         touched = self.apply(changes, k)
@@ -147,12 +151,12 @@ class Stages:
         self.open_kernel(k)
         return touched
 
-    def residual(self, k: int) -> dict[Row, Number]:
-        """The rows of R_{k+s}."""
+    def residual(self, k: int, ahead: int | None = None) -> dict[Row, Number]:
+        """The rows of R_{k+s}; of Fourier orders at most so far ahead."""
         return {(e, sine, n): c for e, (series, shift) in enumerate(
             zip(self.residuals, self.linear.shifts)) for (sine, n), c in
             series[k + shift].modes().items()
-            if self.ring.exact or n <= k + shift + self.problem.ahead}
+            if ahead is None or n <= k + shift + ahead}
 
     def settle(self, k: int, left: dict[Row, Number], changes: Changes) -> None:
         """Fix open coordinates so that ``left`` vanishes; add what follows to ``changes``."""
@@ -227,6 +231,7 @@ class Stages:
         """A row of R_{k+s} that does not vanish, its value, and the size of its terms."""
         residual = self.residual(k)                     # evaluates the nodes that scale looks at
         scales = [_scale(self.expansion, k + shift) for shift in self.linear.shifts]
+        self.sizes[k] = max(scales)
         return next(((row, c, scales[row[0]]) for row, c in residual.items()
                      if not self.ring.negligible(c, scales[row[0]])), None)
 
@@ -236,36 +241,44 @@ class Stages:
                "first orders are non-linear: then give a longer seed") -> None:
         """Say why the rows of R_{k+s} cannot vanish."""
         (e, sine, n), c, scale = row or self.unsatisfied(k)     # type: ignore[misc]
+        order, name = k + self.linear.shifts[e], self.linear.names[e]
+        beyond = n > order + self.problem.ahead
         if not self.ring.exact:
             if not math.isfinite(c):
                 raise SolveError(f"the coefficients leave the floats at order {k} of λ; stay "
                                  "below, or solve with arithmetic='ball' or 'exact'")
-            if abs(c) < 1e-3 * scale:
+            if abs(c) < 1e-3 * scale and not beyond:
                 raise SolveError(
                     f"rounding has grown to {abs(c) / scale:.0e} of the terms at order "
                     f"{k} of λ; stay below, or solve with arithmetic='ball' or 'exact'")
         if k >= self.start:
-            self.refuse_ansatz(k)
-        raise ContradictionError(message.format(
-            name=self.linear.names[e], order=k + self.linear.shifts[e],
-            mode=f"{'sin' if sine else 'cos'} {n}τ"))
+            self.refuse_ansatz(k, beyond)
+        if beyond:
+            raise SolveError(f"the ansatz is too narrow: equation {name} has a term in "
+                             f"{_wave(sine, n)} at order {order} of λ, and the Fourier orders of "
+                             f"the ansatz are n ≤ m + {self.problem.ahead} at order m; choose a "
+                             "larger 'ahead'")
+        raise ContradictionError(message.format(name=name, order=order, mode=_wave(sine, n)))
 
-    def refuse_ansatz(self, k: int) -> None:
+    def refuse_ansatz(self, k: int, beyond: bool) -> None:
         """Refuse if coefficients would satisfy the rows that the ansatz or the seed leaves out."""
         update, _ = self.elimination.solve({row: -c for row, c in self.residual(k).items()})
-        for (name, sine, n), c in update.items():
-            if self.problem.allowed(name, n, k) or self.ring.negligible(c, _scale(self.expansion,
-                                                                                 k)):
-                continue
-            label = _label(self.problem, name, sine, n, k)
-            if k < len(self.problem.seed[name]):
-                raise SolveError("the seed does not satisfy the equations: they would "
-                                 f"change {label} by {c}")
-            beyond = n > k + self.problem.ahead
-            raise SolveError(f"the ansatz is too narrow: the equations ask for {label} = {c}, "
-                             "which it leaves out" + (
-                                 f": its Fourier orders are n ≤ m + {self.problem.ahead} at order "
-                                 f"m of λ; this one needs ahead={n - k} or more" if beyond else ""))
+        scale, ahead = _scale(self.expansion, k), self.problem.ahead
+        wanted = [(column, c) for column, c in update.items()
+                  if not self.problem.allowed(column[0], column[2], k)
+                  and (beyond and column[2] > k + ahead or not self.ring.negligible(c, scale))]
+        if not wanted:
+            return
+        least = 0 if self.ring.exact else 1e-3 * max(abs(c) for _, c in wanted)    # no rounding
+        (name, sine, n), c = next(each for each in wanted if not least or abs(each[1]) > least)
+        label = _label(self.problem, name, sine, n, k)
+        if k < len(self.problem.seed[name]):
+            raise SolveError("the seed does not satisfy the equations: they would "
+                             f"change {label} by {c}")
+        raise SolveError(f"the ansatz is too narrow: the equations ask for {label} = {c}, which it "
+                         "leaves out" + (
+                             f": its Fourier orders are n ≤ m + {ahead} at order m of λ; this one "
+                             f"needs ahead={n - k} or more" if n > k + ahead else ""))
 
     def nonlinear(self, k: int) -> None:
         """Refuse where passing through the stages again does not lead on."""
@@ -304,4 +317,8 @@ def _scale(expansion: Expansion, order: int) -> float:
 def _label(problem: Problem, name: str, sine: int, n: int, m: int) -> str:
     if not hasattr(problem.unknowns[name], "series"):
         return f"the coefficient {name}_{m}"
-    return f"the coefficient of {'sin' if sine else 'cos'} {n}τ in {name} at order {m} of λ"
+    return f"the coefficient of {_wave(sine, n)} in {name} at order {m} of λ"
+
+
+def _wave(sine: int, n: int) -> str:
+    return f"{'sin' if sine else 'cos'} {n}τ"

@@ -59,8 +59,8 @@ class TestPlantedFaults:
     def test_a_row_that_is_skipped(self, monkeypatch, arithmetic):
         residual = Stages.residual
 
-        def without(self, k):
-            return {row: c for row, c in residual(self, k).items() if k != 14 or row[2] != 4}
+        def without(self, k, ahead=None):
+            return {row: c for row, c in residual(self, k, ahead).items() if k != 14 or row[2] != 4}
 
         monkeypatch.setattr(Stages, "residual", without)
         with pytest.raises(fts.FaultError, match="order 14 of λ, mode cos 4τ.*fault of ftseries"):

@@ -142,3 +142,51 @@ class TestRefusals:
         with pytest.raises(fts.SolveError, match="this one needs ahead=3 or more"):
             solved(2)
         assert omegas(solved(5))[:3] == [1, sp.Rational(3, 8), -sp.Rational(15, 256)]
+
+
+class TestFloats:
+    """Floats refuse what exact numbers refuse, and say where rounding has eaten the digits."""
+
+    def forced(self, power, ahead):
+        return fts.Equations(f"x'' + 2*x - x**{power} = lam*cos(2*t)", ahead=ahead,
+                             unknowns={"x": Field("cos")}, seed={"x": "0"})
+
+    @pytest.mark.parametrize("arithmetic", ["exact", "float", "ball"])
+    @pytest.mark.parametrize("power, ahead, order, named",
+                             [(9, 1, 18, 9), (9, 9, 18, 13), (3, 1, 12, 3), (5, 2, 12, 5)])
+    def test_modes_beyond_the_ansatz(self, arithmetic, power, ahead, order, named):
+        """x^p of cos 2τ has cos 2pτ at order p; after the first orders, too, which are exact."""
+        with pytest.raises(fts.SolveError, match=f"too narrow.*this one needs ahead={named} or"):
+            fts.solve(self.forced(power, ahead), order, arithmetic)
+
+    @pytest.mark.parametrize("power", [3, 9])
+    def test_no_aliasing_with_a_head_start(self, power):
+        """Products of modes n ≤ m + ahead reach further than m + ahead."""
+        exact = fts.solve(self.forced(power, 18), 18)
+        floats = fts.solve(self.forced(power, 18), 18, "float")
+        for n in range(37):
+            for m in range(19):
+                assert floats.coefficient("x", n, m) == pytest.approx(
+                    float(exact.coefficient("x", n, m)), abs=1e-16)
+
+    @pytest.mark.parametrize("equation", ["x'' + x/(1+x) = 0", "x'' + x + x**2/(1-x) = 0",
+                                          "x'' + 1 - 1/(1+x) = 0"])
+    def test_digits_that_cancel_are_missed(self, equation):
+        """ω is what is left of terms 10²⁰ times its size: of order 60 no digit is right."""
+        problem = fts.Equations(equation, unknowns={"x": Field("cos", fixed=(1,)),
+                                                    "omega": Scalar()}, frequency="omega")
+        with pytest.warns(fts.PrecisionWarning, match=r"from order 38 .* 'omega' keep fewer than "
+                                                      r"3 digits.*truncate\(37\)"):
+            floats = fts.solve(problem, 60, "float")
+        exact = fts.solve(problem, 60)
+        for m in range(2, 38, 2):               # what is not warned of keeps three digits
+            assert floats.coefficient("omega", m) == pytest.approx(
+                float(exact.coefficient("omega", m)), rel=1e-3, abs=0)
+        assert floats.coefficient("omega", 60) != pytest.approx(
+            float(exact.coefficient("omega", 60)), rel=1, abs=0)
+
+    @pytest.mark.parametrize("problem, order", [(fts.CubicOscillator(a=1), 100),
+                                                (fts.FigureEight(), 200)])
+    def test_no_warning_where_the_digits_are_there(self, recwarn, problem, order):
+        fts.solve(problem, order, "float")
+        assert not recwarn.list
