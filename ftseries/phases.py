@@ -79,11 +79,16 @@ class Phases:
         return self.polynomial([{(1, n): arb(1)}])
 
     def polynomial(self, rows: Sequence[Modes]) -> AtPhases:
-        """The series with the Taylor coefficients ``{(sine, n): ball}``."""
+        """The series with the Taylor coefficients ``{(sine, n): number}``."""
         modes = sorted({mode for row in rows for mode in row})
         if not modes:
             return self.zero()
-        return self._waves(modes, arb_mat([[row.get(mode, 0) for mode in modes] for row in rows]))
+        where, point = {mode: i for i, mode in enumerate(modes)}, list(self.parameters.values())
+        table = [[0] * len(modes) for _ in rows]
+        for line, row in zip(table, rows):
+            for mode, c in row.items():
+                line[where[mode]] = _ball(c, point) if point else c
+        return self._waves(modes, arb_mat(table))
 
     def _waves(self, modes: list[Mode], matrix: arb_mat, times: int = 0) -> AtPhases:
         """Σ_n of cos nτ and sin nτ, or their derivatives, with the coefficients in ``matrix``."""
@@ -270,9 +275,7 @@ def mode(problem: Problem, coefficients: Coefficients, defect: Defect) -> Mode:
 def _residuals(problem: Problem, coefficients: Coefficients, top: int,
                count: int) -> tuple[Phases, dict[str, AtPhases]]:
     phases = Phases(top, count, problem.parameters)
-    point = list(phases.parameters.values())
-    unknowns = {name: phases.polynomial([{mode: _ball(c, point) for mode, c in row.items()}
-                                         for row in rows]) for name, rows in coefficients.items()}
+    unknowns = {name: phases.polynomial(rows) for name, rows in coefficients.items()}
     return phases, problem.residuals(phases.lam, unknowns)
 
 
