@@ -2,16 +2,17 @@ r"""Padé approximants, with their defects reported.
 
 Formula.  [L/M](z) = p(z)/q(z) with deg p ≤ L, deg q ≤ M, q(0) = 1 and q f - p = O(z^{L+M+1}).  The
 denominator solves the Hankel system Σ_{j=1}^{M} c_{L+i-j} q_j = -c_{L+i}, i = 1 … M, here in ball
-arithmetic whose precision is raised until the balls are small.  In a singular block of the table
-M is lowered to the nearest solvable entry.  A pole that almost meets a zero (a Froissart doublet)
-is a *defect*: it belongs to the rounding of the coefficients or to chance, not to the function.
+arithmetic whose precision is raised until the balls are small.  Where that system is singular, a
+lower M may do for all L+M+1 coefficients (the function looks rational); if none does, no [L/M]
+matches them, and the entry of the table nearest on the antidiagonal L+M does: the last of them is
+the Taylor polynomial.  A pole that almost meets a zero (a Froissart doublet) is a *defect*: it belongs to the rounding of the coefficients or to chance, not to the function.
 (G. A. Baker and P. Graves-Morris, Padé Approximants, 1996.)
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from flint import acb, acb_poly, arb, arb_mat, arb_poly, ctx, fmpq, fmpq_mat
@@ -23,6 +24,9 @@ from .singularities import _numbers
 __all__ = ["Pade", "pade"]
 
 _BITS, _MOST_BITS = 256, 2**14
+#: coefficients of p and of q
+Polynomials: TypeAlias = tuple[list[arb], list[arb]]
+
 #: the balls of p and q must be this good, or below the second bound
 _GOOD, _TINY = 80, 2.0**-200
 
@@ -37,7 +41,8 @@ class Pade:
     degrees : tuple
         (L, M) as found.
     asked : tuple
-        (L, M) as asked; where it differs, that entry lies in a singular block of the table.
+        (L, M) as asked; where it differs, that entry lies in a singular block of the table, and
+        this is the nearest one that matches the same coefficients.
     """
 
     def __init__(self, numerator: Sequence[arb], denominator: Sequence[arb],
@@ -140,12 +145,33 @@ def pade(c: Sequence[Number], upper: int | None = None, lower: int | None = None
                          f"not {len(c)}")
     c, asked = list(c[:upper + lower + 1]), (upper, lower)
     _numbers(c)                                             # refuses what is not finite
-    while (found := _solve(c, upper, lower)) is None:
-        lower -= 1
+    found = _solve(c, upper, lower) or _reduced(c, upper, lower)
+    for step in range(1, total + 1):
+        if found is None and step <= lower:
+            found = _solve(c, upper + step, lower - step)
+        if found is None and step <= upper:
+            found = _solve(c, upper - step, lower + step)
+    assert found is not None                                # the Taylor polynomial always is there
     return Pade(*found, asked)
 
 
-def _solve(c: Sequence[Number], upper: int, lower: int) -> tuple[list[arb], list[arb]] | None:
+def _reduced(c: Sequence[Number], upper: int, lower: int) -> Polynomials | None:
+    """[upper/M] with M < lower, if it matches all the coefficients."""
+    for smaller in range(lower - 1, -1, -1):
+        if (found := _solve(c, upper, smaller)) is not None:
+            return found if _matches(c, *found) else None
+    return None
+
+
+def _matches(c: Sequence[Number], p: Sequence[arb], q: Sequence[arb]) -> bool:
+    """Are all coefficients those of p/q?"""
+    with ctx.workprec(_MOST_BITS):
+        known = arb_poly([arb(x).mid() if isinstance(x, arb) else arb(x) for x in c])
+        rest = (known * arb_poly(list(q))).truncate(len(c)) - arb_poly(list(p))
+        return all(x.contains(0) for x in rest.coeffs())
+
+
+def _solve(c: Sequence[Number], upper: int, lower: int) -> Polynomials | None:
     """Coefficients of p and q as balls, or None in a singular block."""
     bits = _BITS
     while bits <= _MOST_BITS:
