@@ -84,7 +84,7 @@ class Phases:
         if not modes:
             return self.zero()
         where, point = {mode: i for i, mode in enumerate(modes)}, list(self.parameters.values())
-        table = [[0] * len(modes) for _ in rows]
+        table: list[list[Number]] = [[0] * len(modes) for _ in rows]
         for line, row in zip(table, rows):
             for mode, c in row.items():
                 line[where[mode]] = _ball(c, point) if point else c

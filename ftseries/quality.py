@@ -16,6 +16,7 @@ from .arguments import scalar, scalars
 from .refine import Orbit, residuals
 from .resum import Resummed
 from .sequences import Sequences
+from .values import Point
 
 __all__ = ["Quality"]
 
@@ -23,6 +24,8 @@ __all__ = ["Quality"]
 _FAR = 0.5
 #: stands for the size of a solution at rest
 _NOTHING = 1e-300
+#: of a sum of floats, against its terms
+_ROUNDING = 2.0**-52
 
 
 class Quality(Sequences):
@@ -58,23 +61,58 @@ class Quality(Sequences):
                       for name in self.problem.unknowns}
         return residuals(self.problem, amplitudes, lam, values)
 
-    def error_estimate(self, name: str, lam: float, **parameters: Any) -> float:
-        """About how far the truncated series is from its sum, uniformly in t.
+    def error_estimate(self, name: str, lam: float, t: float | None = None,
+                       **parameters: Any) -> float:
+        """About how far the truncated series is from its sum: an extrapolation, not a bound.
 
         The last third of the coefficients gives an envelope c_m ≤ C R^{-m}; the estimate is the sum
-        of the envelope over the orders left out, infinite at |λ| ≥ R.  It is an extrapolation, not
-        a bound.
+        of the envelope over the orders left out, infinite at |λ| ≥ R, and what the rounding of
+        floats or the radii of balls add.  It holds at a fixed phase ωt.
+
+        Parameters
+        ----------
+        name : str
+        lam : float
+        t : float, optional
+            A time; then the error of the phase, |t| times that of ω, is in the estimate of a field
+            as well.
+        **parameters
+            Values of the problem's free parameters.
+
+        Examples
+        --------
+        >>> import ftseries as fts
+        >>> sol = fts.solve(fts.CubicOscillator(a=1), order=24)
+        >>> sol.error_estimate("x", 1.5) < 1e-8 < 1e-4 < sol.error_estimate("x", 1.5, t=1e6)
+        True
         """
         lam = scalar("lam", lam)
         ratio = abs(lam) / (radius := float(self.radius_of_convergence(name, **parameters)))
         if ratio >= 1:
             return np.inf
-        table = self._table(name, tuple(scalars(parameters).items()))
-        sums = self._scale(name) * np.abs(np.array(list(table.values()))).sum(axis=0)
+        point = tuple(scalars(parameters).items())
+        table, size = self._table(name, point), abs(self._scale(name))
+        sums = size * np.abs(np.array(list(table.values()))).sum(axis=0)
         m = np.arange(len(sums))
         last = m >= 2 * len(sums) // 3
         envelope = (sums[last] * (radius / self._lam_scale) ** m[last]).max()
-        return float(envelope * ratio ** (self.order + 1) / (1 - ratio))
+        left_out = envelope * ratio ** (self.order + 1) / (1 - ratio)
+        terms = sums * (abs(lam) / self._lam_scale) ** m
+        error = left_out + _ROUNDING * terms.sum() + size * self._widths(name, lam, point)
+        which = self._summed(name)[1:]
+        if t is not None and which:
+            turns = sum(n * abs(a) for (_, n), a in
+                        self._amplitudes(name, np.asarray(lam), point).items())
+            error += abs(scalar("t", t)) * turns * self.error_estimate(which[0], lam, **parameters)
+        return float(error)
+
+    def _widths(self, name: str, lam: float, point: Point) -> float:
+        """Σ over all modes of the radii of the balls times |λ|^m, in the solver's unit."""
+        if self.arithmetic != "ball":
+            return 0.0
+        ratio = abs(lam) / self._lam_scale
+        return float(sum(float(c.rad()) * ratio**m for m, row in enumerate(self.coefficients[name])
+                         for c in row.values()))
 
     def refine(self, lam: float | None = None, **parameters: Any) -> Orbit:
         """The periodic solution at λ to rounding, by Newton's method from this series.
@@ -124,5 +162,6 @@ class Quality(Sequences):
 
 def _change(before: Mapping[Mode, Any], after: Mapping[Mode, Any]) -> float:
     """The largest change of a mode, relative to the largest mode."""
-    change = max(abs(after.get(m, 0.0) - before.get(m, 0.0)) for m in before.keys() | after.keys())
+    change = max((abs(after.get(m, 0.0) - before.get(m, 0.0))
+                  for m in before.keys() | after.keys()), default=0.0)
     return float(change / max([_NOTHING, *map(abs, after.values())]))

@@ -6,18 +6,20 @@ Formula.  Mode n of an unknown is Λ^first Σ_k c_k z^k with z = Λ^step (see
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 from flint import arb, ctx
 
-from .aliases import ArrayLike, Column, Mode, Real
+from .aliases import Array, ArrayLike, Column, Mode, Number, Real
 from .analysis import Estimate, pade
 from .arguments import real, scalar, scalars
 from .conversion import float_unit, to_ball
-from .errors import InputError
-from .evaluation import SMALL, motion, times, unknown, warn
+from .errors import InputError, PrecisionWarning
+from .evaluation import motion, times, unknown, warn
 from .problem import Scalar
 
 if TYPE_CHECKING:
@@ -31,6 +33,14 @@ __all__ = ["Resummed", "at_phase", "uncertainty"]
 _FLOAT_TERMS = 100
 #: which sums are compared: (i, j) are i and j coefficients short
 _PAIRS = ((0, 1), (0, 2), (2, 3), (2, 4))
+#: an error beyond this part of the sum is warned of
+_SMALL = 0.01
+#: an error is never below this part of the terms: rounding of floats
+_ROUNDING = 2.0**-52
+#: a ball with fewer bits is no coefficient
+_BITS = 8
+#: zeros by which a series of one term counts as a constant
+_CONSTANT = 8
 
 
 class Resummed:
@@ -43,8 +53,9 @@ class Resummed:
         The Taylor order of the coefficients used.
     """
 
-    def __init__(self, solution: Quality, parameters: Mapping[str, float], drop: int = 0) -> None:
-        self.solution, self.parameters, self.drop = solution, parameters, drop
+    def __init__(self, solution: Quality, parameters: Mapping[str, float], drop: int = 0,
+                 noise: bool = False) -> None:
+        self.solution, self.parameters, self.drop, self.noise = solution, parameters, drop, noise
         self.problem, self.order = solution.problem, solution.order
         self._modes: dict[str, dict[Mode, tuple[int, int, Pade]]] = {}
         self._fewer: Resummed | None = None
@@ -62,15 +73,31 @@ class Resummed:
                 step, first, c = self.solution.sequence(name, n, bool(sine), **self.parameters)
                 if any(isinstance(x, float) for x in c):
                     c = c[:_FLOAT_TERMS]
+                c = self._known(name, n, c)
                 c = c[:max(len(c) - self.drop, 1)]
-                self._modes[name][sine, n] = step, first, pade(c)
+                self._modes[name][sine, n] = step, first, pade(_noisy(c) if self.noise else c)
         return self._modes[name]
+
+    def _known(self, name: str, n: int, c: list[Number]) -> list[Number]:
+        """The coefficients of mode n before the first ball without digits."""
+        known = next((k for k, x in enumerate(c)
+                      if isinstance(x, arb) and x.rel_accuracy_bits() < _BITS and k), len(c))
+        if known < len(c) and not (self.drop or self.noise):
+            warn(f"only the first {known} of the {len(c)} coefficients of mode {n} of {name!r} are "
+                 "used: the balls of the next have no digits; solve with a higher precision",
+                 PrecisionWarning)
+        return c[:known]
 
     def fewer(self) -> Resummed:
         """The same with one coefficient less in each mode, to compare with."""
         if self._fewer is None:
             self._fewer = Resummed(self.solution, self.parameters, self.drop + 1)
         return self._fewer
+
+    @cached_property
+    def noisy(self) -> Resummed:
+        """The same with every coefficient moved by its own uncertainty, to compare with."""
+        return Resummed(self.solution, self.parameters, noise=True)
 
     def defects(self) -> dict[Column, list[complex]]:
         """``{(name, sine, n): poles in z}`` of the approximants with spurious pole-zero pairs."""
@@ -97,9 +124,8 @@ class Resummed:
         t = real("t", times(self.problem, name, t, derivative))
         sums = {which: self.amplitudes(which, lam) for which in self.solution._summed(name)}
         self._refuse_poles(name, sums[name], lam)
-        if self.solution._doubt(name, lam, tuple(scalars(self.parameters).items())):
-            for which, amplitude in sums.items():
-                self._doubt(which, amplitude, lam)
+        if self._to_be_checked(name, lam, sums):
+            self._doubt(name, t, lam)
         amplitude, *frequency = sums.values()
         if isinstance(self.problem.unknowns[name], Scalar):
             value = amplitude[0, 0]
@@ -108,26 +134,63 @@ class Resummed:
             value = motion(amplitude, t + 0 * real("lam", lam), omega, derivative)
         return value if np.ndim(value) else float(value)
 
-    def _doubt(self, name: str, amplitude: Mapping[Mode, Real], lam: ArrayLike) -> None:
+    def _to_be_checked(self, name: str, lam: ArrayLike,
+                       sums: dict[str, dict[Mode, Real]]) -> bool:
+        """Where the truncated series is good, and this sum the same, the error is not asked for."""
+        point = tuple(scalars(self.parameters).items())
+        if self.solution._doubt(name, lam, point):
+            return True
+        for which, amplitude in sums.items():
+            plain = self.solution._amplitudes(which, real("lam", lam), point)
+            if np.any(sum(abs(a - plain[mode]) for mode, a in amplitude.items())
+                      > _SMALL * sum(map(np.abs, amplitude.values()))):
+                return True
+        return False
+
+    def _doubt(self, name: str, t: Array, lam: ArrayLike) -> None:
         """Warn where the error of the sum is not small."""
-        error, size = self.error(name, lam), sum(map(np.abs, amplitude.values()))
-        if np.any(error > SMALL * size):
-            worst = np.argmax(error - SMALL * size)
-            at, error, size = (np.ravel(a)[worst] for a in (real("lam", lam), error, size))
+        error = self.error(name, lam, np.abs(t).max(initial=0.0))
+        size = sum(map(np.abs, self.amplitudes(name, lam).values()))
+        if np.any(error > _SMALL * size):
+            worst = np.argmax(np.nan_to_num(error - _SMALL * size, posinf=np.inf))
+            at, error, size = (np.ravel(a + 0 * real("lam", lam))[worst]
+                               for a in (real("lam", lam), error, size))
             warn(f"the Padé sum of {name!r} is not determined at λ = {at:g}: its error() there is "
                  f"{error:.2g}, its size {size:.2g}; take a higher order or a smaller λ")
 
-    def error(self, name: str, lam: ArrayLike) -> Real:
+    def error(self, name: str, lam: ArrayLike, t: float | None = None) -> Real:
         """Σ_n of the uncertainty of A_n(λ): an estimate, not a bound; see :func:`uncertainty`.
 
-        Near a pole of an approximant it is large.
+        It holds at a fixed phase ωt; with a time ``t``, that of the phase is in it as well.  Never
+        below rounding, large near a pole of an approximant, infinite where one coefficient is all
+        that is known.
         """
+        amplitude = self.amplitudes(name, lam)
+        self._refuse_poles(name, amplitude, lam)
+        size = sum(map(np.abs, amplitude.values()))
         sums = [padé.amplitudes(name, lam) for padé in self._poorer()]
-        self._refuse_poles(name, sums[0], lam)
         changes = [sum(abs(a - other[mode]) for mode, a in first.items())
                    for first, other in ((sums[i], sums[j]) for i, j in _PAIRS)]
-        error = uncertainty(*changes)
+        noise = self.noisy.amplitudes(name, lam)
+        error = (uncertainty(*changes) + sum(abs(a - noise[m]) for m, a in amplitude.items())
+                 + self._unmatched(name, amplitude) + _ROUNDING * size)
+        if t is not None and len(which := self.solution._summed(name)) > 1:
+            turns = sum(n * abs(a) for (_, n), a in amplitude.items())
+            error = error + abs(t) * self.error(which[1], lam) * turns
         return error if np.ndim(error) else float(error)
+
+    def _unmatched(self, name: str, amplitude: Mapping[Mode, Real]) -> Real:
+        """What no comparison shows: modes of one coefficient, and those beyond the last one."""
+        lengths = {mode: approximant.known for mode, (_, _, approximant) in
+                   self.approximants(name).items()}
+        if not lengths:
+            return np.inf if self.order < _CONSTANT else 0.0
+        if max(lengths.values()) == 1:
+            constant = isinstance(self.problem.unknowns[name], Scalar) and self.order >= _CONSTANT
+            return 0.0 if constant else np.inf
+        single = sum(abs(amplitude[mode]) for mode, known in lengths.items() if known == 1)
+        return single + abs(amplitude[max(lengths, key=lambda mode: mode[1])]) * (
+            max(n for _, n in lengths) > 0)
 
     def estimate(self, quantity: Callable[[Resummed], float]) -> Estimate:
         """``quantity`` of this sum with its uncertainty.
@@ -153,8 +216,11 @@ class Resummed:
         True
         """
         values = [float(quantity(padé)) for padé in self._poorer()]
-        return Estimate(values[0], float(uncertainty(*(abs(values[i] - values[j])
-                                                       for i, j in _PAIRS))))
+        error = float(uncertainty(*(abs(values[i] - values[j]) for i, j in _PAIRS)))
+        error += abs(float(quantity(self.noisy)) - values[0]) + _ROUNDING * abs(values[0])
+        known = max(approximant.known for name in self.problem.unknowns
+                    for _, _, approximant in self.approximants(name).values())
+        return Estimate(values[0], error if known > 1 else math.inf)
 
     def _poorer(self) -> list[Resummed]:
         """This sum and those with one to four coefficients less in each mode."""
@@ -167,6 +233,18 @@ class Resummed:
         if not all(np.isfinite(a).all() for a in amplitude.values()):
             raise InputError(f"λ = {lam!r} is a pole of a Padé approximant of {name!r}; change λ "
                              "or the order")
+
+
+def _noisy(c: list[Number]) -> list[Number]:
+    """Coefficients moved by their uncertainty, in alternating directions."""
+    out: list[Number] = []
+    for k, x in enumerate(c):
+        sign = 1 if k % 2 else -1
+        if isinstance(x, arb):
+            out.append(x.mid() + sign * x.rad())
+        else:
+            out.append(x * (1 + sign * 4 * 2.0**-53) if isinstance(x, float) else x)
+    return out
 
 
 def uncertainty(first: Real, second: Real, third: Real, fourth: Real) -> Real:

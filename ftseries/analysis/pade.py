@@ -1,11 +1,12 @@
 r"""Padé approximants, with their defects reported.
 
-Formula.  [L/M](z) = p(z)/q(z) with deg p ≤ L, deg q ≤ M, q(0) = 1 and q f - p = O(z^{L+M+1}).  The
+Formula.  [L/M](z) = p(z)/q(z) with deg p ≤ L, deg q ≤ M, q(0) = 1 and q f - p = O(z^{L+M+1}). The
 denominator solves the Hankel system Σ_{j=1}^{M} c_{L+i-j} q_j = -c_{L+i}, i = 1 … M, here in ball
 arithmetic whose precision is raised until the balls are small.  Where that system is singular, a
 lower M may do for all L+M+1 coefficients (the function looks rational); if none does, no [L/M]
 matches them, and the entry of the table nearest on the antidiagonal L+M does: the last of them is
-the Taylor polynomial.  A pole that almost meets a zero (a Froissart doublet) is a *defect*: it belongs to the rounding of the coefficients or to chance, not to the function.
+the Taylor polynomial. A pole that almost meets a zero (a Froissart doublet) is a *defect*: it
+belongs to the rounding of the coefficients or to chance, not to the function.
 (G. A. Baker and P. Graves-Morris, Padé Approximants, 1996.)
 """
 
@@ -43,14 +44,17 @@ class Pade:
     asked : tuple
         (L, M) as asked; where it differs, that entry lies in a singular block of the table, and
         this is the nearest one that matches the same coefficients.
+    known : int
+        How many coefficients it matches.
     """
 
     def __init__(self, numerator: Sequence[arb], denominator: Sequence[arb],
-                 asked: tuple[int, int]) -> None:
+                 asked: tuple[int, int], known: int) -> None:
         self.exact = [x.mid() for x in numerator], [x.mid() for x in denominator]
         self.numerator = np.array([float(x) for x in numerator])
         self.denominator = np.array([float(x) for x in denominator])
         self.degrees, self.asked = (len(numerator) - 1, len(denominator) - 1), asked
+        self.known = known
         self._p, self._q = arb_poly(self.exact[0]), arb_poly(self.exact[1])
 
     def __repr__(self) -> str:
@@ -152,7 +156,7 @@ def pade(c: Sequence[Number], upper: int | None = None, lower: int | None = None
         if found is None and step <= upper:
             found = _solve(c, upper - step, lower + step)
     assert found is not None                                # the Taylor polynomial always is there
-    return Pade(*found, asked)
+    return Pade(*found, asked, len(c))
 
 
 def _reduced(c: Sequence[Number], upper: int, lower: int) -> Polynomials | None:
