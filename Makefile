@@ -23,7 +23,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .NOTPARALLEL:
 .PHONY: help book lab test style unit notebooks-tested strict-book browser-tested notebooks lock clean
-.PHONY: coverage mutants oldest bench bench-book
+.PHONY: coverage mutants random oldest bench bench-book
 .PHONY: slides student pdf figures site debian-latex linkcheck lint-workflows newest dist
 
 help:
@@ -41,6 +41,7 @@ help:
 	@echo "make notebooks  execute all notebooks and store their outputs in normal form"
 	@echo "make coverage   refuse if there is a line of the core that no test runs"
 	@echo "make mutants    change copies of the core in many places; the tests should notice"
+	@echo "make random     N=2000 random problems against independent truth, as a table"
 	@echo "make oldest     the tests with the oldest versions that pyproject.toml allows"
 	@echo "make bench      measure this package and its peers, and renew the chapter on it"
 	@echo "make bench-book measure the builds and the tests of the book"
@@ -173,6 +174,10 @@ mutants: $(READY)
 	$(BIN)/python -m pip install $(LOCKED) -e ".[mutants]"
 	$(BIN)/mutmut run --max-children $(JOBS)
 	$(BIN)/mutmut results
+
+N ?= 2000
+random: $(READY)
+	PYTHONPATH=tests $(BIN)/python -m random_problems $(N)
 
 oldest:
 	$(PYTHON) -m venv _build/oldest
