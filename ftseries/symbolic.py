@@ -17,12 +17,13 @@ from .aliases import Expr, Function, Json, Mode
 from .arguments import decimal, whole
 from .errors import InputError, NonAnalyticError
 from .expansion import Expansion
+from .expressions import by_name, expression, name_of
 from .first_steps import first_steps
 from .laurent import PolynomialRing, SurdRing
 from .problem import Field, Problem, Scalar
-from .reading import Language, name_of
+from .reading import Language
 from .seeds import measured, ratio, read, units
-from .translate import Translator, harmonic, lead
+from .translate import LAM, Translator, harmonic, lead
 
 __all__ = ["Equations"]
 
@@ -82,12 +83,12 @@ class Equations(Problem):
         if not isinstance(unknowns, dict):
             raise InputError(f"unknowns={unknowns!r}: give a dict from each unknown to its Field "
                              "or Scalar")
-        self.unknowns = {name_of(key): _declared(key, value) for key, value in unknowns.items()}
+        self.unknowns = {name: _declared(name, u) for name, u in by_name(unknowns).items()}
         if not isinstance(parameters, (dict, tuple, list)):
             raise InputError(f"parameters={parameters!r}: give a tuple of names, such as ('mu',), "
                              "or a dict with values, such as {'mu': 2}")
-        values = {name_of(key): value for key, value in parameters.items()} \
-            if isinstance(parameters, dict) else {name_of(key): None for key in parameters}
+        values = by_name(parameters if isinstance(parameters, dict)
+                         else {key: None for key in parameters})
         self.parameters = tuple(name for name, value in values.items() if value is None)
         self.frequency = None if frequency is None else name_of(frequency)
         self.variable, self.ahead = name_of(time), whole("ahead", ahead)
@@ -110,8 +111,9 @@ class Equations(Problem):
         self._begin(self._choose(first_steps(self), choice) if seed is None else seed)
         self._check_analytic()
 
-    def equations(self, lam: Function, **unknowns: Function) -> dict[str, Function]:
-        env = {"lam": lam, **unknowns}
+    def equations(  # type: ignore[override]     # an unknown may be called lam or self
+            self, lam: Function, /, **unknowns: Function) -> dict[str, Function]:
+        env = {LAM: lam, **unknowns}
         return {name: build(env) for name, build in self._residuals.items()}
 
     def scale(self, name: str) -> Expr:
@@ -170,6 +172,12 @@ class Equations(Problem):
         if silent:
             raise InputError(f"no equation contains {', '.join(silent)}; correct the equations or "
                              "leave that unknown out")
+        language = self.language
+        idle = [name for name in (*self.parameters, *language.values)
+                if name not in mentioned | language.used]
+        if idle:
+            raise InputError(f"no equation contains the parameter {', '.join(idle)}; correct the "
+                             "equations or leave it out")
 
     def _check_lead(self) -> None:
         for where, e in self.expressions.items():
@@ -186,7 +194,7 @@ class Equations(Problem):
         """Evaluate every power, exp, sin and cos at λ = 0 on the seed."""
         ring = (SurdRing if self.surd else PolynomialRing)(self.parameters)
         expansion = Expansion(ring)
-        env: dict[str, Function] = {"lam": expansion.lam}
+        env: dict[str, Function] = {LAM: expansion.lam}
         for name, rows in self.first_coefficients().items():
             env[name] = expansion.unknown()
             env[name].set(0, ring.from_modes({k: ring.number(v) for k, v in rows[0].items()}))
@@ -266,7 +274,7 @@ def _declared(key: str, unknown: Any) -> Field | Scalar:
 
 def _value(name: str, value: Any) -> Expr:
     try:
-        number = decimal(value)
+        number = decimal(expression(value) if isinstance(value, str) else value)
     except InputError:
         raise InputError(f"the parameter {name} has the value {value!r}, which is not a rational "
                          "number; give an int, a Fraction or a float") from None

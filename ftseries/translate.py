@@ -27,15 +27,18 @@ from sympy.core.function import AppliedUndef
 from .aliases import Expr, Function
 from .arguments import rational
 from .errors import InputError
+from .expressions import is_number
 from .problem import Field, Scalar
 
 if TYPE_CHECKING:
     from .problem import Problem
     from .reading import Language
 
-__all__ = ["Translator", "harmonic", "lead", "plain"]
+__all__ = ["LAM", "Translator", "harmonic", "lead", "plain"]
 
-#: the series by name, λ among them as "lam"; what builds a function from them
+#: the key of λ itself among the series: no unknown can have this name
+LAM = ""
+#: the series by name, λ among them; what builds a function from them
 Environment: TypeAlias = dict[str, Function]
 Build: TypeAlias = Callable[[Environment], Function]
 
@@ -53,9 +56,10 @@ def plain(number: Expr) -> Expr:
 
 def harmonic(wave: Expr, time: Expr, omega: Expr) -> int | None:
     """n in cos(nωt) or sin(nωt); None for anything else."""
-    if not isinstance(wave, (sp.sin, sp.cos)):
+    if not isinstance(wave, (sp.sin, sp.cos)) or not wave.has(time) or wave.atoms(AppliedUndef):
         return None
-    n = plain(sp.simplify(wave.args[0] / (omega * time)))
+    n = sp.expand(sp.expand(wave.args[0]) / (omega * time))
+    n = plain(n) if is_number(n) else n
     return int(n) if n.is_Integer and n > 0 else None
 
 
@@ -90,7 +94,7 @@ class Translator:
 
     def build(self, e: Expr, where: str) -> tuple[Expr, Build]:
         """(factor, function): e = factor · function(series)."""
-        if not e.free_symbols and not e.atoms(AppliedUndef):
+        if is_number(e):
             if not e.is_finite or e.is_real is False:
                 raise InputError(f"equation {where} contains the number {e}; it must be finite "
                                  "and real")
@@ -115,9 +119,9 @@ class Translator:
     def _symbol(self, e: Expr, where: str) -> tuple[Expr, Build]:
         name, problem = e.name, self.problem
         if name == self.language.lam:
-            return self.unit, lambda env: env["lam"]
+            return self.unit, lambda env: env[LAM]
         if name in problem.parameters:
-            return sp.S.One, lambda env: env["lam"].expansion.parameter(name)
+            return sp.S.One, lambda env: env[LAM].expansion.parameter(name)
         if isinstance(problem.unknowns.get(name), Scalar):
             return self.scales.get(name, sp.S.One), lambda env: env[name]
         if isinstance(problem.unknowns.get(name), Field):
@@ -147,7 +151,7 @@ class Translator:
             for weight, part in weighted:
                 term = part(env)
                 if part is _one:
-                    term = env["lam"].expansion.constant(weight)
+                    term = env[LAM].expansion.constant(weight)
                 elif weight != 1:
                     term = term * weight
                 total = term if total is None else total + term
@@ -206,7 +210,7 @@ class Translator:
     def _function(self, e: Expr, where: str) -> tuple[Expr, Build]:
         which, n = type(e).__name__, harmonic(e, self.time, self.omega)
         if n:
-            return sp.S.One, lambda env: getattr(env["lam"].expansion, which)(n)
+            return sp.S.One, lambda env: getattr(env[LAM].expansion, which)(n)
         if not isinstance(e, sp.exp) and e.args[0].has(self.time) and not e.atoms(AppliedUndef) \
                 and sp.diff(e.args[0], self.time, 2) == 0:
             raise InputError(f"equation {where} contains {e}, which does not have the period of "

@@ -277,7 +277,6 @@ READING = [
     ("y'' + x + x**3 = 0", "contains y'', but y is not declared as a Field"),
     ("xx'' + x = 0", "contains xx'', but xx is not declared as a Field"),
     ("omega' + x = 0", "contains omega', but omega is not declared as a Field"),
-    ("x'' + λ*x = 0", "contains λ, which is written lam"),
     ("x'' + lambda*x = 0", "'lambda' in .*; λ is written lam"),
     ("x'' + x³ = 0", "'³' in .*; write powers with \\*\\*"),
     ("x″ + x = 0", "'″' in .*; write derivatives with the straight '"),
