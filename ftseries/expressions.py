@@ -12,6 +12,7 @@ together again in the same way.  So 9**9**9**9 is refused by its size, and not c
 ``DEGREE``            exponents, and the degree of an expression multiplied out
 ``TERMS``             terms of an expression multiplied out
 ``NESTED``            functions in the arguments of functions
+``ORDERS``            orders of derivatives that are carried out
 ====================  ========================================================
 """
 
@@ -37,7 +38,8 @@ from .errors import InputError
 __all__ = ["FUNCTIONS", "BoundError", "Reader", "by_name", "checked", "differentiated",
            "expression", "is_number", "name_of", "parsed", "quoted", "sympified"]
 
-LENGTH, LEAVES, DEPTH, DIGITS, DEGREE, TERMS, NESTED = 10_000, 1000, 50, 1000, 100, 1000, 5
+LENGTH, LEAVES, DEPTH, DIGITS, DEGREE, TERMS = 10_000, 1000, 50, 1000, 100, 1000
+NESTED, ORDERS = 5, 10
 #: denominators of exponents, and nodes of a SymPy expression
 _ROOTS, _NODES = 10**6, 10 * LEAVES
 
@@ -164,16 +166,19 @@ def is_number(e: Expr) -> bool:
 
 
 def _digits(e: Expr) -> int:
-    """The digits of the longest number in an expression, about (at least 1)."""
-    return 1 + max((int(max(abs(int(q.p)), int(q.q)).bit_length() * math.log10(2))
-                    for q in e.atoms(sp.Rational)), default=0)
+    """The digits of the longest number in an expression."""
+    return 1 + int(max(map(_log10, e.atoms(sp.Rational)), default=0))
+
+
+def _log10(q: Expr) -> float:
+    """The logarithm of the larger of numerator and denominator."""
+    return math.log10(max(abs(int(q.p)), int(q.q)))
 
 
 def _of_a_size(e: Expr) -> Expr:
     """The expression; refuses a number in it that is too long."""
     if _digits(e) > DIGITS:
-        raise BoundError(f"a number of about {_digits(e)} digits arises; numbers have at most "
-                         f"{DIGITS}")
+        raise BoundError(f"a number of {_digits(e)} digits arises; numbers have at most {DIGITS}")
     return e
 
 
@@ -187,7 +192,7 @@ def _power(base: Expr, exponent: Expr) -> Expr:
     if exponent.is_Rational:
         size = abs(exponent)
         if base.is_Rational:
-            if base != 1 and base != -1 and size * _digits(base) > DIGITS:
+            if size * _log10(base) > DIGITS:
                 raise BoundError(f"a number of more than {DIGITS} digits arises in a power; "
                                  f"numbers have at most {DIGITS}")
         elif size > DEGREE:
@@ -217,11 +222,12 @@ def _function(name: str, argument: Expr) -> Expr:
 
 def differentiated(e: Expr, time: Expr, times: int) -> Expr:
     """The time derivative, as long as it stays short."""
-    if times > DEPTH:
-        raise BoundError(f"a derivative of order {times} is asked for; orders go up to {DEPTH}")
+    highest = times + max((int(d.derivative_count) for d in e.atoms(sp.Derivative)), default=0)
+    if highest > ORDERS:
+        raise BoundError(f"a derivative of order {highest} is asked for; orders go up to {ORDERS}")
     for _ in range(times):
-        if not isinstance(e, (AppliedUndef, sp.Derivative)) and sum(
-                len(list(sp.preorder_traversal(term)))**2 for term in sp.Add.make_args(e)) > _NODES:
+        if sum(len(list(sp.preorder_traversal(term)))**2
+               for term in sp.Add.make_args(e)) > _NODES:
             raise BoundError(f"a derivative by {time} of a long expression is asked for; carry it "
                              "out by hand, or take a part of the expression as an unknown")
         e = checked(sp.diff(e, time))
@@ -253,7 +259,7 @@ def _spread(e: Expr) -> tuple[int, int, int]:
         found = sum(terms), max(degrees), inside
     elif e.is_Mul:
         found = math.prod(terms), sum(degrees), inside
-    elif e.is_Pow and e.exp.is_Rational:
+    elif e.is_Pow and isinstance(e.exp, sp.Rational):
         n = math.ceil(abs(e.exp))
         found = math.comb(terms[0] + n - 1, n) if n else 1, degrees[0] * n, inside
     else:

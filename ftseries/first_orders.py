@@ -61,9 +61,10 @@ def residual(problem: Equations, named: Symbols, known: Known, order: int) -> li
             for mode, value in fixed(problem, name, unknown, m).items():
                 row[mode] = ring.number(value)
             unknowns[name].set(m, ring.from_modes({k: v for k, v in row.items() if v != 0}))
-    return [sp.expand(to_sympy(c, ring.names).subs(irrational))
+    values = [known.get(s, s) for s in ring.names]
+    return [sp.expand(e) if irrational else e
             for residual in problem.equations(expansion.lam, **unknowns).values()
-            for c in residual[order].modes().values()]
+            for e in (to_sympy(c, values) for c in residual[order].modes().values())]
 
 
 def fixed(problem: Equations, name: str, unknown: Field | Scalar, m: int) -> dict[Mode, int]:

@@ -37,6 +37,8 @@ from .trig import Ring
 
 __all__ = ["RationalRing", "PolynomialRing", "SurdRing", "BallRing"]
 
+#: no number in a memory has a root of this degree
+_DEGREE = 2**31
 #: terms (p, q, weight) of a sum of products
 Products: TypeAlias = list[tuple[Part, Part, Number]]
 
@@ -156,8 +158,11 @@ class RationalRing(_LaurentRing):
     def root(self, value: fmpq, alpha: Exact) -> fmpq:
         alpha = rational(alpha)
         degree = int(alpha.q)
+        if value == 1:
+            return value
         if degree > 1:
-            roots = [part.root(degree) for part in (value.p, value.q)] if value > 0 else None
+            roots = [part.root(degree) for part in (value.p, value.q)] \
+                if value > 0 and degree < _DEGREE else None
             if not roots or fmpq(*roots) ** degree != value:
                 raise InputError(f"({value})^({alpha}) is not rational; choose units in which the "
                                  "value at λ = 0 has a rational power")

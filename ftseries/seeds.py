@@ -14,7 +14,7 @@ import sympy as sp
 
 from .aliases import Expr, Mode
 from .errors import InputError
-from .expressions import by_name
+from .expressions import by_name, quoted
 from .problem import Field, Scalar
 from .translate import harmonic, plain
 
@@ -30,7 +30,7 @@ Terms: TypeAlias = dict[str, dict[int, dict[Mode, Expr]]]
 def read(problem: Equations, seed: Any) -> tuple[dict[str, str], Terms]:
     """Each unknown's first terms as text, and taken apart."""
     if not isinstance(seed, dict):
-        raise InputError(f"seed={seed!r}: give a dict from each unknown to its first terms, "
+        raise InputError(f"seed={quoted(seed)}: give a dict from each unknown to its first terms, "
                          "such as {'x': 'lam*cos(omega*t)'}")
     texts: dict[str, str] = {}
     terms: Terms = {}

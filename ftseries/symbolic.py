@@ -17,7 +17,7 @@ from .aliases import Expr, Function, Json, Mode
 from .arguments import decimal, whole
 from .errors import InputError, NonAnalyticError
 from .expansion import Expansion
-from .expressions import by_name, expression, name_of
+from .expressions import by_name, expression, name_of, quoted
 from .first_steps import first_steps
 from .laurent import PolynomialRing, SurdRing
 from .problem import Field, Problem, Scalar
@@ -276,8 +276,8 @@ def _value(name: str, value: Any) -> Expr:
     try:
         number = decimal(expression(value) if isinstance(value, str) else value)
     except InputError:
-        raise InputError(f"the parameter {name} has the value {value!r}, which is not a rational "
-                         "number; give an int, a Fraction or a float") from None
+        raise InputError(f"the parameter {name} has the value {quoted(value)}, which is not a "
+                         "rational number; give an int, a Fraction or a float") from None
     return sp.Rational(int(number.p), int(number.q))
 
 

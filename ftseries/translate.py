@@ -19,6 +19,7 @@ ratios of their factors; anything else is refused by name.  No term is ever drop
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import sympy as sp
@@ -27,7 +28,7 @@ from sympy.core.function import AppliedUndef
 from .aliases import Expr, Function
 from .arguments import rational
 from .errors import InputError
-from .expressions import is_number
+from .expressions import is_number, quoted
 from .problem import Field, Scalar
 
 if TYPE_CHECKING:
@@ -36,6 +37,8 @@ if TYPE_CHECKING:
 
 __all__ = ["LAM", "Translator", "harmonic", "lead", "plain"]
 
+#: roots and functions in a number
+_ROOTS = 10
 #: the key of λ itself among the series: no unknown can have this name
 LAM = ""
 #: the series by name, λ among them; what builds a function from them
@@ -43,14 +46,21 @@ Environment: TypeAlias = dict[str, Function]
 Build: TypeAlias = Callable[[Environment], Function]
 
 
+@lru_cache(maxsize=1000)
 def plain(number: Expr) -> Expr:
     """A SymPy number, written so that a rational one is seen to be rational.
+
+    Numbers with more than a few roots are refused: to simplify them may take any time.
 
     >>> plain(sp.sqrt(12) / sp.sqrt(3)), plain(sp.cbrt(3) / (2 * sp.Integer(3)**sp.Rational(-2, 3)))
     (2, 3/2)
     """
     if number.is_Rational:
         return number
+    roots = number.atoms(sp.Pow, sp.Function)
+    if len(roots) > _ROOTS:
+        raise InputError(f"the number {quoted(number)} has {len(roots)} roots or functions in it; "
+                         f"at most {_ROOTS} can be compared, so write it as a decimal")
     return sp.radsimp(sp.powsimp(sp.simplify(number), force=True))
 
 
