@@ -28,11 +28,13 @@ from fractions import Fraction
 from itertools import accumulate
 from typing import Any
 
+import numpy as np
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from .aliases import Expr
-from .conversion import in_fractions
+from .arguments import decimal
+from .conversion import in_fractions, to_sympy
 from .errors import InputError
 
 __all__ = ["FUNCTIONS", "BoundError", "Reader", "by_name", "checked", "differentiated",
@@ -64,9 +66,23 @@ def quoted(source: Any) -> str:
     >>> quoted("x"), len(quoted("x" * 1000))
     ("'x'", 63)
     """
+    if isinstance(source, sp.Basic) and not _is_short(source):
+        return f"a long SymPy expression of type {type(source).__name__}"
     text = source if isinstance(source, str) else repr(source)
     short = text if len(text) <= 240 else text[:60] + "…"
     return repr(short) if isinstance(source, str) else short
+
+
+def _is_short(e: sp.Basic) -> bool:
+    """Can an expression be printed?  SymPy computes 9**9**9**9 for it."""
+    level = nodes = [e]
+    for _ in range(DEPTH):
+        level = [a for node in level for a in node.args]
+        nodes = nodes + level
+        if not level or len(nodes) > LEAVES:
+            break
+    return not level and not any(p.is_Pow and p.is_number and (
+        p.exp.args or abs(p.exp) > DIGITS) for p in nodes)
 
 
 def name_of(key: Any) -> str:
@@ -271,15 +287,18 @@ def _spread(e: Expr) -> tuple[int, int, int]:
 
 
 def sympified(source: Any) -> Expr | None:
-    """A number or a SymPy expression, as SymPy has it; None for anything else.
+    """A SymPy expression, or a number as one; None for anything else.
 
-    Texts inside of lists are not read: SymPy would execute them.
+    (SymPy's own conversion would execute the texts in a dict or a list.)
     """
-    try:
-        e = sp.sympify(source, strict=True)
-    except (sp.SympifyError, TypeError, ValueError, ArithmeticError, RecursionError):
+    if isinstance(source, sp.Expr):
+        return source
+    if isinstance(source, (str, bool, np.bool_)):
         return None
-    return e if isinstance(e, sp.Expr) else None
+    try:
+        return to_sympy(decimal(source), ())
+    except InputError:
+        return None
 
 
 class Reader:
@@ -368,14 +387,17 @@ class _Number(Reader):
     """Numbers, and symbols for positive ones."""
 
     def name(self, name: str) -> Expr:
+        return sp.pi if name == "pi" else sp.Symbol(self._checked(name), positive=True)
+
+    def symbol(self, symbol: Expr) -> Expr:
+        self._checked(symbol.name)
+        return symbol
+
+    def _checked(self, name: str) -> str:
         if name in _NO_NUMBERS:
             raise InputError(f"{name} is not a number, and no name for one; give a finite real "
                              "number, or another name")
-        return sp.pi if name == "pi" else sp.Symbol(name_of(name), positive=True)
-
-    def symbol(self, symbol: Expr) -> Expr:
-        self.name(symbol.name)
-        return symbol
+        return name_of(name)
 
     def call(self, node: ast.expr, arguments: Sequence[Expr]) -> Expr:
         match node:

@@ -233,7 +233,7 @@ class _Reader(Reader):
         name = unicodedata.normalize("NFKC", symbol.name)
         if name in self.language.values:
             self.language.used.add(name)
-            return sp.sympify(self.language.values[name])
+            return self.language.values[name]
         return self.symbols.get(name, symbol)
 
     def call(self, node: ast.expr, arguments: Sequence[Expr]) -> Expr:
