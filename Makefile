@@ -171,7 +171,7 @@ coverage: $(READY)
 	--fail-under=100
 
 fuzz: $(READY)
-	FTSERIES_FUZZ=$(or $(TRIES),10000) $(PYTEST) -s -n $(JOBS) tests/test_fuzz.py
+	FTSERIES_FUZZ=$(or $(TRIES),10000) $(PYTEST) -s tests/test_fuzz.py
 
 mutants: $(READY)
 	$(BIN)/python -m pip install $(LOCKED) -e ".[mutants]"

@@ -69,7 +69,7 @@ def quoted(source: Any) -> str:
     if isinstance(source, sp.Basic) and not _is_short(source):
         return f"a long SymPy expression of type {type(source).__name__}"
     text = source if isinstance(source, str) else repr(source)
-    short = text if len(text) <= 240 else text[:60] + "…"
+    short = text if len(repr(text)) <= 240 else text[:60] + "…"
     return repr(short) if isinstance(source, str) else short
 
 

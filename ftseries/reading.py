@@ -8,8 +8,10 @@ r"""The language of equations: text, SymPy equations and expressions, read and w
 ``^`` and ``**``      powers
 ====================  =============================================
 
-Only names that were declared may occur, besides sin, cos, exp, sqrt, pi and diff.  A decimal, and a
-float by its shortest decimal, is the fraction that it looks like.
+Only names that were declared may occur, besides sin, cos, exp, sqrt, pi and diff; a name is any
+identifier of Python, such as θ, and λ is the series parameter unless something else is called so.
+A decimal, and a float by its shortest decimal, is the fraction that it looks like.  Nothing is left
+out, nothing is executed, and what is too large is refused: see :mod:`ftseries.expressions`.
 """
 
 from __future__ import annotations
@@ -155,12 +157,18 @@ class Language:
             raise InputError(f"{quoted(whole)} {error.msg or _UNREADABLE}") from None
 
     def _readable(self, e: Expr, whole: Any) -> Expr:
-        """The expression, if its text can be read again, as from a file."""
+        """The expression in the form in which it is read again, as from a file."""
+        reader = _Reader(self)
         try:
-            parsed(self.written(checked(e)))
+            tree = parsed(self.written(checked(e)))
+            if e.has(sp.nan, sp.oo, -sp.oo, sp.zoo, sp.I) or not (
+                    e.free_symbols <= set(reader.symbols.values())):
+                return e                                             # is refused later
+            return checked(reader.rebuilt(reader.built(tree)))
+        except SyntaxError:                                          # so is what has no text
+            return e
         except BoundError as error:
             raise InputError(f"{quoted(whole)} cannot be written out: {error}") from None
-        return e
 
     def _tree(self, text: str, whole: str) -> ast.expr:
         """The syntax tree of a text; refuses names that were not declared."""

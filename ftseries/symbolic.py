@@ -35,9 +35,12 @@ class Equations(Problem):
     ----------
     equations : SymPy Eq or expression, text, or a list or dict of them
         An expression means expression = 0.  In a text, ``x''`` is the second time derivative of the
-        field x, a bare ``x`` means x(t), and ``=`` separates the sides.
+        field x, a bare ``x`` means x(t), and ``=`` separates the sides.  A text has at most 10,000
+        characters and 1000 names and numbers, exponents go up to 100, and so on, as
+        :mod:`ftseries.expressions` lists; for SymPy the same bounds hold.
     unknowns : dict
         SymPy function (or its name) to :class:`Field`, SymPy symbol (or name) to :class:`Scalar`.
+        A name is any identifier of Python, also θ or ω, normalized as Python does it (NFKC).
     seed : dict, optional
         Unknown to its first terms, such as ``lam*cos(omega*t)``; left out, the first steps are
         solved automatically: about states of rest that are roots of polynomials of few terms, such
@@ -48,9 +51,9 @@ class Equations(Problem):
         The unknown scalar ω with τ = ωt; left out, the period is 2π.
     parameters : tuple of symbols or names, or dict from them to values
         Without a value (or with None) a parameter is carried as a symbol, and the coefficients are
-        polynomials in it.
+        polynomials in it.  Each of them has to occur in the equations.
     time, lam : symbol or name
-        t and λ.
+        t and λ; in texts λ itself may be written too, unless something else is called so.
     choice : int, optional
         Which solution of the first steps to take, where there are several; the refusal without it
         shows them.

@@ -223,6 +223,11 @@ class Translator:
             return sp.S.One, lambda env: getattr(env[LAM].expansion, which)(n)
         if not isinstance(e, sp.exp) and e.args[0].has(self.time) and not e.atoms(AppliedUndef) \
                 and sp.diff(e.args[0], self.time, 2) == 0:
+            if (sp.diff(e.args[0], self.time) / self.omega).is_Integer:
+                raise InputError(f"equation {where} contains {e}, whose phase is not zero; expand "
+                                 "it with an addition theorem, or count the time from another "
+                                 f"moment, so that only cos and sin of n*{self.omega}*{self.time} "
+                                 "are left")
             raise InputError(f"equation {where} contains {e}, which does not have the period of "
                              f"the ansatz; measure time so that it becomes {which}(n*{self.omega}*"
                              f"{self.time}) with a whole n")
