@@ -23,7 +23,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .NOTPARALLEL:
 .PHONY: help book lab test style unit notebooks-tested strict-book browser-tested notebooks lock clean
-.PHONY: coverage mutants random oldest bench bench-book
+.PHONY: coverage fuzz mutants random oldest bench bench-book
 .PHONY: slides student pdf figures site debian-latex linkcheck lint-workflows newest dist
 
 help:
@@ -40,6 +40,7 @@ help:
 	@echo
 	@echo "make notebooks  execute all notebooks and store their outputs in normal form"
 	@echo "make coverage   refuse if there is a line of the core that no test runs"
+	@echo "make fuzz       10,000 texts from a grammar: a solution or a sentence, in time"
 	@echo "make mutants    change copies of the core in many places; the tests should notice"
 	@echo "make random     N=2000 random problems against independent truth, as a table"
 	@echo "make oldest     the tests with the oldest versions that pyproject.toml allows"
@@ -169,6 +170,9 @@ coverage: $(READY)
 	tests/test_*.py tests/problems tests/analysis $(CORE)
 	$(BIN)/python -m coverage report --include="ftseries/*.py" --omit="ftseries/*/*" \
 	--fail-under=100
+
+fuzz: $(READY)
+	FTSERIES_FUZZ=$(or $(TRIES),10000) $(PYTEST) -s tests/test_fuzz.py
 
 mutants: $(READY)
 	$(BIN)/python -m pip install $(LOCKED) -e ".[mutants]"

@@ -18,11 +18,11 @@ __all__ = ["to_sympy", "to_float", "to_mpf", "to_ball", "in_fractions", "at",
            "numeric_unit", "float_unit"]
 
 
-def to_sympy(number: Number, names: Sequence[str]) -> Expr:
+def to_sympy(number: Number, names: Sequence[str | Expr]) -> Expr:
     """A rational, or a polynomial in the parameters ``names``, as a SymPy expression."""
     if isinstance(number, fmpq):
         return sp.Rational(int(number.p), int(number.q))
-    symbols = [sp.Symbol(name) for name in names]
+    symbols = [sp.Symbol(name) if isinstance(name, str) else name for name in names]
     return sp.Add(*(sp.Rational(int(c.p), int(c.q)) * sp.prod(map(sp.Pow, symbols, exponents))
                     for (_, *exponents), c in number.to_dict().items()))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import sympy as sp
+from sympy.printing.pretty.pretty_symbology import greek_unicode
 
 from .aliases import Expr, Mode
 from .arguments import whole
@@ -16,7 +17,10 @@ if TYPE_CHECKING:
 
 __all__ = ["to_latex", "summary"]
 
-_GREEK = {"omega": r"\omega", "phi": r"\varphi", "psi": r"\psi", "lambda": r"\lambda", "mu": r"\mu"}
+#: how LaTeX writes names that SymPy would write otherwise, and single Greek letters
+_NAMES = {"phi": r"\varphi", "lambda": r"\lambda"}
+_LETTERS = str.maketrans({letter: f"{{{_NAMES.get(name) or sp.latex(sp.Symbol(name))}}}"
+                          for name, letter in greek_unicode.items()})
 
 
 def to_latex(solution: Solution, name: str, order: int) -> str:
@@ -32,9 +36,9 @@ def to_latex(solution: Solution, name: str, order: int) -> str:
     for m, row in enumerate(solution.coefficients[name][:order + 1]):
         for mode, number in row.items():
             by_mode.setdefault(mode, []).append((m, solution._in_unit(name, m, number)))
-    phase = variable = solution.problem.variable
+    phase = variable = _name(solution.problem.variable)
     if solution.problem.frequency:
-        phase = f"{_GREEK.get(solution.problem.frequency, solution.problem.frequency)} {variable}"
+        phase = f"{_name(solution.problem.frequency)} {variable}"
     terms = []
     for (sine, n), powers in sorted(by_mode.items(), key=lambda item: (item[0][1], item[0][0])):
         pieces = [_term(c, _power(m)) for m, c in powers]
@@ -46,8 +50,13 @@ def to_latex(solution: Solution, name: str, order: int) -> str:
             terms.append(_term(powers[0][1], (_power(powers[0][0]) + " " + function).strip()))
         else:
             terms.append(rf"+\left({_join(pieces)}\right) {function}")
-    left = _GREEK.get(name, name) + ("" if scalar else f"({variable})")
-    return rf"{left} = {_join(terms) or '0'} + \mathcal{{O}}(\lambda^{{{order + 1}}})"
+    left = _name(name) + ("" if scalar else f"({variable})")
+    text = rf"{left} = {_join(terms) or '0'} + \mathcal{{O}}(\lambda^{{{order + 1}}})"
+    return text.translate(_LETTERS)
+
+
+def _name(name: str) -> str:
+    return _NAMES.get(name) or sp.latex(sp.Symbol(name))
 
 
 def summary(solution: Solution) -> str:

@@ -29,8 +29,8 @@ Known: TypeAlias = dict[Expr, Expr]
 
 def symbols(problem: Equations, top: int) -> Symbols:
     """``{(name, mode, m): symbol}`` up to Taylor order ``top``."""
-    return {(name, mode, m): sp.Symbol(f"{name}_{'sc'[1 - mode[0]]}{mode[1]}_{m}"
-                                       if not isinstance(unknown, Scalar) else f"{name}_{m}")
+    return {(name, mode, m): sp.Dummy(f"{name}_{'sc'[1 - mode[0]]}{mode[1]}_{m}"
+                                      if not isinstance(unknown, Scalar) else f"{name}_{m}")
             for name, unknown in problem.unknowns.items()
             for m in range(top + 1) for mode in unknown.columns(m + problem.ahead)
             if problem.in_powers(name, m)}
@@ -45,8 +45,8 @@ def residual(problem: Equations, named: Symbols, known: Known, order: int) -> li
     """The residual's coefficients of one order as SymPy polynomials in what is not yet known."""
     open_symbols = [s for (_, _, m), s in named.items() if m <= order and s not in known]
     irrational = {s: v for s, v in known.items() if not v.is_Rational}
-    names = (*problem.parameters, *map(str, open_symbols), *map(str, irrational))
-    ring = (SurdRing if problem.surd else PolynomialRing)(names)
+    ring = (SurdRing if problem.surd else PolynomialRing)(
+        (*problem.parameters, *open_symbols, *irrational))
     expansion = Expansion(ring)
     unknowns = {}
     for name, unknown in problem.unknowns.items():
@@ -56,16 +56,15 @@ def residual(problem: Equations, named: Symbols, known: Known, order: int) -> li
             for (other, mode, k), s in named.items():
                 if other == name and k == m:
                     value = known.get(s, s)
-                    row[mode] = (ring.parameter(str(s)) if value == s or s in irrational
+                    row[mode] = (ring.parameter(s) if value == s or s in irrational
                                  else ring.number(value))
             for mode, value in fixed(problem, name, unknown, m).items():
                 row[mode] = ring.number(value)
             unknowns[name].set(m, ring.from_modes({k: v for k, v in row.items() if v != 0}))
-    back = {sp.Symbol(str(s)): v for s, v in irrational.items()}
-    back[sp.Symbol("sqrt3")] = sp.sqrt(3)
-    return [sp.expand(to_sympy(c, ring.names).subs(back))
+    values = [known.get(s, s) for s in ring.names]
+    return [sp.expand(e) if irrational else e
             for residual in problem.equations(expansion.lam, **unknowns).values()
-            for c in residual[order].modes().values()]
+            for e in (to_sympy(c, values) for c in residual[order].modes().values())]
 
 
 def fixed(problem: Equations, name: str, unknown: Field | Scalar, m: int) -> dict[Mode, int]:

@@ -13,6 +13,7 @@ or by τ to τ + π, the one with positive frequency or leading amplitude is kep
 from __future__ import annotations
 
 from collections.abc import Container
+from contextlib import suppress
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -41,6 +42,8 @@ __all__ = ["first_steps"]
 #: while something is free more of them
 _ORDERS = 4
 _MOST = LATEST[0] + 2
+#: the largest ``ahead`` that is tried
+_AHEAD = 100
 
 
 def first_steps(problem: Equations) -> list[dict[str, Expr]]:
@@ -64,6 +67,10 @@ def first_steps(problem: Equations) -> list[dict[str, Expr]]:
     if len(amplitudes) > 1:
         raise InputError(f"several amplitudes are fixed ({', '.join(amplitudes)}), and only one "
                          f"can be λ; give a seed for {names}")
+    if problem.ahead > _AHEAD:
+        raise InputError(f"ahead={problem.ahead} gives the unknowns too many first coefficients to "
+                         f"find them automatically (ahead goes up to {_AHEAD} there); give a seed "
+                         f"for {names}")
     search = _Search(problem)
     try:
         solutions = search.run()
@@ -124,6 +131,13 @@ class _Search:
 
     def extended(self, branches: list[Known], order: int) -> list[Known]:
         self.roots, self.dependent = Roots(), []
+        if order == 0 and self.problem.ahead:               # at rest, if the forcing vanishes
+            still = {s: sp.S.Zero for (_, mode, m), s in self.symbols.items() if m == 0 < mode[1]}
+            with suppress(NonAnalyticError, InputError):
+                found = self.extend(still, order)
+                if found:
+                    return found
+            self.roots, self.dependent = Roots(), []
         try:
             return [found for known in branches for found in self.extend(known, order)]
         except (NonAnalyticError, InputError):

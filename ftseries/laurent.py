@@ -16,6 +16,7 @@ from collections.abc import Iterable, Sequence
 from functools import reduce
 from typing import TypeAlias
 
+import sympy as sp
 from flint import (
     Ordering,
     arb,
@@ -28,13 +29,16 @@ from flint import (
     fmpz_poly,
 )
 
-from .aliases import Exact, Modes, Multiplier, Number, Part, Parts
+from .aliases import Exact, Expr, Modes, Multiplier, Number, Part, Parts
 from .arguments import rational
+from .conversion import to_sympy
 from .errors import InputError
 from .trig import Ring
 
 __all__ = ["RationalRing", "PolynomialRing", "SurdRing", "BallRing"]
 
+#: no number in a memory has a root of this degree
+_DEGREE = 2**31
 #: terms (p, q, weight) of a sum of products
 Products: TypeAlias = list[tuple[Part, Part, Number]]
 
@@ -154,8 +158,11 @@ class RationalRing(_LaurentRing):
     def root(self, value: fmpq, alpha: Exact) -> fmpq:
         alpha = rational(alpha)
         degree = int(alpha.q)
+        if value == 1:
+            return value
         if degree > 1:
-            roots = [part.root(degree) for part in (value.p, value.q)] if value > 0 else None
+            roots = [part.root(degree) for part in (value.p, value.q)] \
+                if value > 0 and degree < _DEGREE else None
             if not roots or fmpq(*roots) ** degree != value:
                 raise InputError(f"({value})^({alpha}) is not rational; choose units in which the "
                                  "value at λ = 0 has a rational power")
@@ -174,13 +181,17 @@ class RationalRing(_LaurentRing):
 
 
 class PolynomialRing(_LaurentRing):
-    """Polynomials with rational coefficients in named parameters."""
+    """Polynomials with rational coefficients in parameters: names, or SymPy expressions.
+
+    FLINT knows ASCII names only, so that its variables are numbered, whatever the parameters are.
+    """
 
     name = "exact"
 
-    def __init__(self, names: Sequence[str]) -> None:
+    def __init__(self, names: Sequence[str | Expr]) -> None:
         self.names = tuple(names)
-        self.context = fmpq_mpoly_ctx.get(["w", *self.names], Ordering.lex)
+        self.context = fmpq_mpoly_ctx.get(["w", *(f"p{i}" for i in range(len(self.names)))],
+                                          Ordering.lex)
         self.w, *self.parameters = self.context.gens()
         self.one = (0, self.context.constant(1), 1)
 
@@ -189,8 +200,11 @@ class PolynomialRing(_LaurentRing):
             return x
         return self.context.constant(rational(x))
 
-    def parameter(self, name: str) -> fmpq_mpoly:
+    def parameter(self, name: str | Expr) -> fmpq_mpoly:
         return self.parameters[self.names.index(name)]
+
+    def written(self, number: fmpq_mpoly) -> str:
+        return str(to_sympy(number, self.names))
 
     def coefficients(self, part: Part) -> Iterable[tuple[int, Number]]:
         rows: dict[int, dict[tuple[int, ...], fmpq]] = {}
@@ -220,8 +234,8 @@ class SurdRing(PolynomialRing):
     √3 is a further variable s, and every result is reduced modulo s² - 3.
     """
 
-    def __init__(self, names: Sequence[str] = ()) -> None:
-        super().__init__((*names, "sqrt3"))
+    def __init__(self, names: Sequence[str | Expr] = ()) -> None:
+        super().__init__((*names, sp.sqrt(3)))
         self.surd = self.parameters[-1]
         self.relation = self.surd**2 - 3
 

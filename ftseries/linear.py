@@ -285,6 +285,6 @@ class LinearPart:
             return number
         if not number.is_constant():
             raise InputError(f"the linear part of equation {self.names[e]} depends on a parameter "
-                             f"({number}), so the coefficients are not polynomials in it; give the "
-                             "parameter a value")
+                             f"({self.tangent.ring.written(number)}), so the coefficients are not "
+                             "polynomials in it; give the parameter a value")
         return rational(number.leading_coefficient()) if number else fmpq(0)

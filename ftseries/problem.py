@@ -7,7 +7,6 @@ Numbers in the equations and in the seed are exact: a decimal is the fraction th
 
 from __future__ import annotations
 
-import ast
 import difflib
 import inspect
 from collections.abc import Mapping
@@ -20,46 +19,20 @@ from flint import fmpq
 from .aliases import Array, Coefficients, Expr, Function, Json, Modes
 from .ansatz import Field, Scalar, in_parity
 from .arguments import decimal
-from .conversion import in_fractions, to_float
+from .conversion import to_float
 from .errors import InputError
+from .expressions import expression, name_of
 from .function import Function as AnyFunction
 from .sampling import Samples
 
 __all__ = ["Field", "Scalar", "Problem", "expression"]
 
+#: the arguments of :meth:`ftseries.Solution.evaluate`
+_TAKEN = {"self", "name", "t", "lam", "dps", "derivative"}
 #: what a problem declares, as far as a slip in the name would go unnoticed
 _DECLARATIONS = ("unknowns", "seed", "parameters", "frequency", "variable", "ahead", "surd",
                  "equations", "arguments")
-_SAFE = (ast.Expression, ast.BinOp, ast.UnaryOp, ast.operator, ast.unaryop, ast.Constant, ast.Name,
-         ast.Load)
 
-
-def expression(x: Any) -> Expr:
-    """A number, SymPy expression or text as a SymPy expression; decimals become rationals.
-
-    A text may hold numbers, names (of positive symbols), + - * / ** and sqrt, and nothing else:
-    it may come from a file.
-
-    >>> expression("2*sqrt(3)/a"), expression(0.1)
-    (2*sqrt(3)/a, 1/10)
-    """
-    try:
-        if isinstance(x, str):
-            nodes = list(ast.walk(ast.parse(x, mode="eval")))
-            names = {node.id for node in nodes if isinstance(node, ast.Name)}
-            if not all(isinstance(node, _SAFE) or (isinstance(node, ast.Call)
-                                                   and isinstance(node.func, ast.Name)
-                                                   and node.func.id == "sqrt") for node in nodes):
-                raise ValueError(x)
-            symbols = {name: sp.Symbol(name, positive=True) for name in names - {"sqrt"}}
-            result = sp.sympify(x, locals=symbols, rational=True)
-        else:
-            result = sp.sympify(x)
-    except (sp.SympifyError, SyntaxError, TypeError, ValueError):
-        result = None
-    if not isinstance(result, sp.Expr):
-        raise InputError(f"{x!r} is not a number or a SymPy expression")
-    return in_fractions(result)
 
 
 class Problem:
@@ -214,6 +187,14 @@ class Problem:
         if not isinstance(self.parameters, tuple):
             raise InputError(f"parameters={self.parameters!r} of {kind}: give a tuple of names, "
                              "such as ('mu',)")
+        for name in (*self.unknowns, *self.parameters):
+            if name_of(name) != name:
+                raise InputError(f"Python writes the name {name!r} of {kind} as {name_of(name)!r} "
+                                 "(NFKC); declare it so")
+        taken = sorted(_TAKEN & set(self.parameters))
+        if taken:
+            raise InputError(f"the parameter {', '.join(taken)} of {kind} could not be given to "
+                             "evaluate, which has an argument of that name; choose another name")
         twice = sorted(set(self.parameters) & set(self.unknowns))
         if twice:
             raise InputError(f"{', '.join(twice)} is declared twice, as an unknown and as a "

@@ -8,15 +8,18 @@ r"""The language of equations: text, SymPy equations and expressions, read and w
 ``^`` and ``**``      powers
 ====================  =============================================
 
-Only names that were declared may occur, besides sin, cos, exp, sqrt, pi and diff.  A decimal, and a
-float by its shortest decimal, is the fraction that it looks like.
+Only names that were declared may occur, besides sin, cos, exp, sqrt, pi and diff; a name is any
+identifier of Python, such as θ, and λ is the series parameter unless something else is called so.
+A decimal, and a float by its shortest decimal, is the fraction that it looks like.  Nothing is left
+out, nothing is executed, and what is too large is refused: see :mod:`ftseries.expressions`.
 """
 
 from __future__ import annotations
 
 import ast
-import keyword
 import re
+import unicodedata
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -24,15 +27,26 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from .aliases import Expr
-from .conversion import in_fractions
 from .errors import InputError
+from .expressions import (
+    FUNCTIONS,
+    BoundError,
+    Reader,
+    checked,
+    differentiated,
+    is_number,
+    parsed,
+    quoted,
+    sympified,
+)
 
-__all__ = ["Language", "name_of"]
+__all__ = ["Language"]
 
-_SAFE = (ast.Expression, ast.BinOp, ast.UnaryOp, ast.Constant, ast.Name, ast.Load, ast.Call,
-         ast.operator, ast.unaryop)
-_FUNCTIONS = {"sin": sp.sin, "cos": sp.cos, "exp": sp.exp, "sqrt": sp.sqrt, "diff": sp.diff}
-_KNOWN = _FUNCTIONS | {"pi": sp.pi}
+_UNREADABLE = "cannot be read; use numbers, names, + - * / ** and calls such as sin(x)"
+
+#: what a text may call, and the names with a meaning
+_CALLS = {*FUNCTIONS, "sqrt", "diff"}
+_KNOWN = {*_CALLS, "pi"}
 #: how some other functions can be written, or why they cannot
 _INSTEAD = {"tan": "write sin(x)/cos(x)", "tanh": "write (exp(2*x) - 1)/(exp(2*x) + 1)",
             "sinh": "write (exp(x) - exp(-x))/2", "cosh": "write (exp(x) + exp(-x))/2",
@@ -46,29 +60,13 @@ _SLIPS = (
     (r"[′″‴’”´`\"]", "write derivatives with the straight ', such as x''"),
     (r"[−–—]", "write the sign -"),
     (r"[·×⋅∙÷]", "write products with * and quotients with /"),
+    (r"#.*", "leave comments out"),
     (r"\blambda\b", "λ is written {lam}"),
     (r"(?<![\w.])\d+\.?\d*\s*(?!e[-+]?\d)[^\W\d]\w*", "write products with *, such as 2*x"),
     (r"\b(sin|cos|exp|sqrt)\s+\w+", "write functions with brackets, such as sin(x)"),
-    (r"\w+\s+\w+", "write products with *, such as a*x"),
+    (r"\b\w+\s+\w+", "write products with *, such as a*x"),
+    (r"[^\w\s+\-*/^().,']", "write numbers, names, + - * / ** and calls such as sin(x)"),
 )
-
-
-def name_of(key: Any) -> str:
-    """The name of a SymPy symbol or function, or a name.
-
-    >>> name_of(sp.Symbol("omega")), name_of(sp.Function("x")), name_of("x")
-    ('omega', 'x', 'x')
-    """
-    name = key if isinstance(key, str) else getattr(key, "name", None) or getattr(
-        key, "__name__", None)
-    if not isinstance(name, str) or not name.isidentifier():
-        raise InputError(f"{key!r} is not a name; give a SymPy symbol or function, or its name")
-    if keyword.iskeyword(name):
-        raise InputError(f"{name!r} is a word of Python's own; choose another name, such as "
-                         f"{name[:3]!r}")
-    if name in _KNOWN:
-        raise InputError(f"{name!r} has a meaning in equations already; choose another name")
-    return name
 
 
 @dataclass(frozen=True)
@@ -91,6 +89,8 @@ class Language:
     scalars: tuple[str, ...] = ()
     parameters: tuple[str, ...] = ()
     values: dict[str, Expr] = field(default_factory=dict)
+    #: the values that were put in so far
+    used: set[str] = field(default_factory=set, compare=False)
 
     def __post_init__(self) -> None:
         names = [self.time, self.lam, *self.fields, *self.scalars, *self.parameters, *self.values]
@@ -101,39 +101,31 @@ class Language:
 
     @property
     def symbols(self) -> dict[str, Expr]:
-        """Name to symbol, of everything but the fields."""
+        """Name to symbol, of everything but the fields; λ is the series parameter if still free."""
         names = (self.time, self.lam, *self.scalars, *self.parameters)
-        return {name: sp.Symbol(name) for name in names}
+        free = {} if "λ" in (*self.fields, *self.values) else {"λ": sp.Symbol(self.lam)}
+        return free | {name: sp.Symbol(name) for name in names}
 
     def equation(self, source: Any) -> Expr:
         """An expression that is to vanish, from a text, a SymPy Eq or an expression."""
+        sides: Sequence[Any] = (source,)
         if isinstance(source, str):
             sides = source.split("=")
             if len(sides) > 2:
-                raise InputError(f"{source!r} has more than one '='; write one equation, with one "
-                                 "'='")
-            parts = [self._read(side, source) for side in sides]
-            return self._own(parts[0] - parts[1] if len(parts) == 2 else parts[0])
-        if isinstance(source, sp.Equality):
-            return self._own(source.lhs - source.rhs)
-        return self.expression(source)
+                raise InputError(f"{quoted(source)} has more than one '='; write one equation, "
+                                 "with one '='")
+        elif isinstance(source, sp.Equality):
+            sides = source.args
+        left, *right = (self._read(side, source) for side in sides)
+        return self._readable(sp.Add(left, *(-e for e in right)), source)
 
     def expression(self, source: Any) -> Expr:
         """An expression, from a text or from SymPy."""
-        if isinstance(source, str):
-            return self._own(self._read(source, source))
-        try:
-            e = sp.sympify(source)
-        except sp.SympifyError:
-            e = None
-        if not isinstance(e, sp.Expr):
-            raise InputError(f"{source!r} is not an equation; give a SymPy Eq, an expression or a "
-                             "text")
-        return self._own(e)
+        return self._readable(self._read(source, source), source)
 
     def written(self, e: Expr) -> str:
         """An expression as text that :meth:`equation` reads again: x'' for derivatives."""
-        time = sp.Symbol(self.time)
+        time, e = sp.Symbol(self.time), e.xreplace({sp.E: sp.Symbol("exp(1)")})
 
         def primed(f: Expr, times: int = 0) -> Expr:
             at = "" if f.args[0] == time else f"({f.args[0]})"
@@ -147,99 +139,189 @@ class Language:
                       lambda d: primed(d.expr, int(d.derivative_count)))
         return str(e.replace(lambda f: isinstance(f, AppliedUndef), primed))
 
-    def _own(self, e: Expr) -> Expr:
-        """The expression in this language's symbols, decimals as fractions, values put in."""
-        symbols = self.symbols | {name: sp.sympify(v) for name, v in self.values.items()}
-        e = e.subs({s: symbols[s.name] for s in e.free_symbols if s.name in symbols})
-        return in_fractions(e).doit()
-
-    def _read(self, text: str, whole: str) -> Expr:
-        """One side of an equation given as text."""
-        source = self._with_time(text.replace("^", "**").strip(), whole)
-        for name, primes in re.findall(r"([^\W\d]\w*)\s*('+)", source):
-            raise InputError(f"{whole!r} cannot be read: it contains {name}{primes}, but {name} is "
-                             "not declared as a Field; declare it or correct it")
+    def _read(self, source: Any, whole: Any) -> Expr:
+        """One side of an equation, in this language's symbols, decimals as fractions."""
+        reader = _Reader(self)
         try:
-            nodes = list(ast.walk(ast.parse(source, mode="eval")))
+            if isinstance(source, str):
+                e = reader.built(self._tree(source, whole))
+            else:
+                e = sympified(source)
+            if e is None:
+                raise InputError(f"{quoted(source)} is not an equation; give a SymPy Eq, an "
+                                 "expression or a text")
+            return checked(reader.rebuilt(checked(e)))
+        except BoundError as error:
+            raise InputError(f"{quoted(whole)} cannot be read: {error}") from None
+        except SyntaxError as error:
+            raise InputError(f"{quoted(whole)} {error.msg or _UNREADABLE}") from None
+
+    def _readable(self, e: Expr, whole: Any) -> Expr:
+        """The expression in the form in which it is read again, as from a file."""
+        reader = _Reader(self)
+        try:
+            tree = parsed(self.written(checked(e)))
+            if e.has(sp.nan, sp.oo, -sp.oo, sp.zoo, sp.I) or not (
+                    e.free_symbols <= set(reader.symbols.values())):
+                return e                                             # is refused later
+            return checked(reader.rebuilt(reader.built(tree)))
+        except SyntaxError:                                          # so is what has no text
+            return e
+        except BoundError as error:
+            raise InputError(f"{quoted(whole)} cannot be written out: {error}") from None
+
+    def _tree(self, text: str, whole: str) -> ast.expr:
+        """The syntax tree of a text; refuses names that were not declared."""
+        try:
+            tree = parsed(text)
         except SyntaxError:
-            raise InputError(f"{whole!r} cannot be read: {self._slip(text.strip())}") from None
+            raise SyntaxError(f"cannot be read: {self._slip(text.strip())}") from None
+        nodes = list(ast.walk(tree))
+        for node in nodes:
+            if isinstance(node, ast.Subscript):
+                name = getattr(node.value, "id", None)
+                if name is None:
+                    raise SyntaxError("cannot be read: write primes behind the name of a field, "
+                                      "such as x''(t)")
+                if name not in self.fields:
+                    raise SyntaxError(f"cannot be read: it contains {_source(node)}, but {name} is "
+                                      "not declared as a Field; declare it or correct it")
         known = {*self.symbols, *self.values, *self.fields, *_KNOWN}
-        calls = {getattr(n.func, "id", "a number or a bracket")
-                 for n in nodes if isinstance(n, ast.Call)}
+        calls = {_called(n) for n in nodes if isinstance(n, ast.Call)}
         strange = sorted({n.id for n in nodes if isinstance(n, ast.Name)} - known)
         for name in strange:
-            if name == "λ":
-                raise InputError(f"{whole!r} contains λ, which is written {self.lam}")
             if name in calls:
                 instead = f": {_INSTEAD[name]}" if name in _INSTEAD else ""
-                raise InputError(f"{whole!r} contains the function {name}, which is not known "
-                                 f"here; use rational powers, sqrt, exp, sin and cos{instead}")
+                raise SyntaxError(f"contains the function {name}, which is not known here; use "
+                                  f"rational powers, sqrt, exp, sin and cos{instead}")
         if strange:
-            raise InputError(f"{whole!r} contains {', '.join(strange)}, which is neither "
-                             "an unknown, a parameter, λ, the time nor a function known here (sin, "
-                             "cos, exp, sqrt); declare it or correct it")
-        wrong = calls - set(self.fields) - set(_FUNCTIONS)
+            raise SyntaxError(f"contains {', '.join(strange)}, which is neither an unknown, a "
+                              "parameter, λ, the time nor a function known here (sin, cos, exp, "
+                              "sqrt); declare it or correct it")
+        wrong = calls - set(self.fields) - _CALLS
         if wrong:
-            raise InputError(f"{whole!r} calls {', '.join(sorted(wrong))}, which is not a function "
-                             "of time; declare it as a Field, or write the product with *")
-        try:
-            if not all(isinstance(n, _SAFE) and isinstance(getattr(n, "value", 0), (int, float))
-                       for n in nodes):
-                raise TypeError
-            functions = {name: sp.Function(name) for name in self.fields}
-            names = self.symbols | {v: sp.Symbol(v) for v in self.values} | functions
-            result = sp.sympify(source, locals={**_KNOWN, **names}, rational=True)
-        except (sp.SympifyError, TypeError, ValueError, AttributeError):
-            result = None
-        if not isinstance(result, sp.Expr):
-            raise InputError(f"{whole!r} cannot be read; use numbers, names, + - * / ** and calls "
-                             "such as sin(x)")
-        return result
+            raise SyntaxError(f"calls {', '.join(sorted(wrong))}, which is not a function of time; "
+                              "declare it as a Field, or write the product with *")
+        return tree
 
     def _slip(self, text: str) -> str:
         """What is wrong with a text that is no expression, and the way out."""
         if not text:
             return "a side is empty; write an expression there, such as 0"
         if text.count("(") != text.count(")"):
-            return f"{text!r} has a bracket that is not closed"
+            return f"{quoted(text)} has a bracket that is not closed"
         for pattern, advice in _SLIPS:
             match = re.search(pattern, text)
             if match:
-                return f"{match.group()!r} in {text!r}; {advice.format(lam=self.lam)}"
-        return f"{text!r} is not an expression; write products with * and powers with **"
+                return (f"{quoted(match.group())} in {quoted(text)}; "
+                        f"{advice.format(lam=self.lam)}")
+        return f"{quoted(text)} is not an expression; write products with * and powers with **"
 
-    def _with_time(self, text: str, whole: str) -> str:
-        """x'' as diff(x(t), t, 2), x as x(t)."""
-        if not self.fields:
-            return text
-        pattern = re.compile(rf"\b({'|'.join(map(re.escape, self.fields))})\b\s*('*)\s*(\()?")
-        out, end = [], 0
-        while match := pattern.search(text, end):
-            name, primes, bracket = match.groups()
-            out.append(text[end:match.start()])
-            end = match.end() if bracket else match.end(2)
-            argument = self.time
-            if bracket:
-                argument, end = self._bracket(text, end, whole)
-                if re.fullmatch(r"\s*[-+]?[\d.]+\s*", argument):
-                    raise InputError(f"{whole!r} contains {name}({argument}), but {name} is a "
-                                     f"function of the time {self.time} and initial conditions are "
-                                     "not given; what λ and the phase are is said by 'fixed' in "
-                                     "the Field")
-                if self.time not in re.findall(r"\w+", argument):
-                    raise InputError(f"{whole!r} contains {name}({argument}), but {name} is a "
-                                     f"function of the time {self.time}; write {name}({self.time})"
-                                     f" or {name}({self.time} - 2*pi/3), and products with *")
-            f = f"{name}({argument})"
-            out.append(f"diff({f}, {self.time}, {len(primes)})" if primes else f)
-        return "".join(out) + text[end:]
 
-    @staticmethod
-    def _bracket(text: str, start: int, whole: str) -> tuple[str, int]:
-        """(what stands in the bracket that opens before ``start``, where it ends)."""
-        depth = 1
-        for i in range(start, len(text)):
-            depth += {"(": 1, ")": -1}.get(text[i], 0)
-            if depth == 0:
-                return text[start:i], i + 1
-        raise InputError(f"{whole!r} has a bracket that is not closed")
+class _Reader(Reader):
+    """Puts expressions of a language together."""
+
+    def __init__(self, language: Language) -> None:
+        self.language, self.time = language, sp.Symbol(language.time)
+        self.symbols = language.symbols
+
+    def name(self, name: str) -> Expr:
+        language = self.language
+        if name in language.fields:
+            return sp.Function(name)(self.time)
+        if name in language.values:
+            return sp.Symbol(name)                       # the value is put in by `symbol`
+        if name == "pi":
+            return sp.pi
+        if name not in self.symbols:
+            raise SyntaxError
+        return self.symbols[name]
+
+    def symbol(self, symbol: Expr) -> Expr:
+        name = unicodedata.normalize("NFKC", symbol.name)
+        if name in self.language.values:
+            self.language.used.add(name)
+            return self.language.values[name]
+        return self.symbols.get(name, symbol)
+
+    def call(self, node: ast.expr, arguments: Sequence[Expr]) -> Expr:
+        name = _called(node)
+        if name in self.language.fields:
+            return self._field(node, name, arguments)
+        if name == "diff":
+            return self._derivative(node, arguments)
+        if len(arguments) != 1:
+            raise SyntaxError
+        return self.function(name, arguments[0])
+
+    def _field(self, node: ast.expr, name: str, arguments: Sequence[Expr]) -> Expr:
+        """x(t), x(t - c), x''(t - c)."""
+        primed = node.func if isinstance(node, ast.Call) else node
+        times = int(ast.unparse(primed.slice)) if isinstance(primed, ast.Subscript) else 0
+        if not isinstance(node, ast.Call):
+            return differentiated(self.name(name), self.time, times)
+        if len(arguments) != 1:
+            self._no(node)
+        (argument,) = arguments
+        if self.time not in argument.free_symbols or argument.atoms(AppliedUndef):
+            at = (f"contains {name}({_source(node.args[0])}), but {name} is a function of the time "
+                  f"{self.time}")
+            if is_number(argument):
+                raise SyntaxError(f"{at} and initial conditions are not given; what λ and the "
+                                  "phase are is said by 'fixed' in the Field")
+            raise SyntaxError(f"{at}; write {name}({self.time}) or {name}({self.time} - 2*pi/3), "
+                              "and products with *")
+        return differentiated(sp.Function(name)(argument), self.time, times)
+
+    def _derivative(self, node: ast.expr, arguments: Sequence[Expr]) -> Expr:
+        """diff(e, t), diff(e, t, 2), diff(e, t, t)."""
+        e, *variables = arguments or self._no(node)
+        times = 0
+        for i, v in enumerate(variables):
+            if v == self.time:
+                times += 1
+            elif v.is_Integer and v >= 0 and i and variables[i - 1] == self.time:
+                times += int(v) - 1
+            else:
+                self._no(node)
+        return differentiated(e, self.time, times) if variables else self._no(node)
+
+    def _no(self, node: ast.expr) -> Any:
+        raise SyntaxError(f"contains {_source(node)}, which is not understood; write x({self.time} "
+                          f"- 2*pi/3) for a field x at another time, and diff(x, {self.time}) or "
+                          f"diff(x, {self.time}, 2) for derivatives by {self.time}")
+
+    def other(self, e: Expr) -> Expr:
+        if e is sp.E or isinstance(e, (sp.sin, sp.cos, sp.exp)):
+            return self.function("exp" if e is sp.E else type(e).__name__, *(
+                map(self.rebuilt, e.args) if e.args else [sp.S.One]))
+        if isinstance(e, AppliedUndef):
+            name = unicodedata.normalize("NFKC", e.func.__name__)
+            return sp.Function(name)(*map(self.rebuilt, e.args))
+        if isinstance(e, sp.Derivative):
+            by = {self.symbol(v) for v in e.variables}
+            if by != {self.time}:
+                raise SyntaxError(f"contains {quoted(e)}, which is not a derivative by {self.time}")
+            return differentiated(self.rebuilt(e.expr), self.time, len(e.variables))
+        if isinstance(e, sp.Subs) and len(e.variables) == 1 and isinstance(
+                e.expr, sp.Derivative) and isinstance(e.expr.expr, AppliedUndef) and \
+                set(e.expr.variables) == set(e.variables) == set(e.expr.expr.args):
+            inner = sp.Function(unicodedata.normalize("NFKC", e.expr.expr.func.__name__))
+            return sp.Subs(inner(*e.variables).diff(*e.expr.variables), e.variables[0],
+                           self.rebuilt(e.point[0])).doit()
+        raise SyntaxError(f"contains {self.language.written(e)}, which has no Fourier-Taylor "
+                          "series here; only + - * /, rational powers, exp, sin and cos are known")
+
+
+def _called(node: ast.expr) -> str:
+    """The name that is called, or that has primes."""
+    inner = node.func if isinstance(node, ast.Call) else node
+    inner = inner.value if isinstance(inner, ast.Subscript) else inner
+    return getattr(inner, "id", "a number or a bracket")
+
+
+def _source(node: ast.expr) -> str:
+    """The text of a node, shortened."""
+    text = re.sub(r"\[(\d+)\]", lambda primes: "'" * min(int(primes.group(1)), 9),
+                  ast.unparse(node))
+    return text if len(text) < 80 else text[:60] + "…"

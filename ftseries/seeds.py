@@ -14,8 +14,8 @@ import sympy as sp
 
 from .aliases import Expr, Mode
 from .errors import InputError
+from .expressions import by_name, quoted
 from .problem import Field, Scalar
-from .reading import name_of
 from .translate import harmonic, plain
 
 if TYPE_CHECKING:
@@ -30,16 +30,16 @@ Terms: TypeAlias = dict[str, dict[int, dict[Mode, Expr]]]
 def read(problem: Equations, seed: Any) -> tuple[dict[str, str], Terms]:
     """Each unknown's first terms as text, and taken apart."""
     if not isinstance(seed, dict):
-        raise InputError(f"seed={seed!r}: give a dict from each unknown to its first terms, "
+        raise InputError(f"seed={quoted(seed)}: give a dict from each unknown to its first terms, "
                          "such as {'x': 'lam*cos(omega*t)'}")
     texts: dict[str, str] = {}
     terms: Terms = {}
-    for name, value in {name_of(key): value for key, value in seed.items()}.items():
+    for name, value in by_name(seed).items():
         if name not in problem.unknowns:
             raise InputError(f"the seed names {name}, which is not an unknown; they are "
                              f"{', '.join(problem.unknowns)}")
         value = sp.expand(problem.language.expression(value))
-        texts[name] = str(value)
+        texts[name] = problem.language.written(value)
         terms[name] = {}
         for term in sp.Add.make_args(value):
             m, mode, c = _term(problem, name, term)

@@ -184,8 +184,9 @@ def _without_surd(known: Coefficients, problem: Problem) -> Coefficients:
     def plain(name: str, m: int, c: Number) -> Number:
         terms = c.to_dict()
         if any(exponents[-1] for exponents in terms):
-            raise SolveError(f"a coefficient of {name} at order {m} contains √3 ({c}); choose the "
-                             "phase or the unit so that the coefficients are rational")
+            raise SolveError(f"a coefficient of {name} at order {m} contains √3 "
+                             f"({SurdRing(problem.parameters).written(c)}); choose the phase or "
+                             "the unit so that the coefficients are rational")
         if not problem.parameters:
             return sum(terms.values(), fmpq(0))
         return target.context.from_dict({exponents[:-1]: q for exponents, q in terms.items()})

@@ -271,12 +271,12 @@ class Stages:
             return
         least = 0 if self.ring.exact else 1e-3 * max(abs(c) for _, c in wanted)    # no rounding
         (name, sine, n), c = next(each for each in wanted if not least or abs(each[1]) > least)
-        label = _label(self.problem, name, sine, n, k)
+        label, number = _label(self.problem, name, sine, n, k), self.ring.written(c)
         if k < len(self.problem.seed[name]):
             raise SolveError("the seed does not satisfy the equations: they would "
-                             f"change {label} by {c}")
-        raise SolveError(f"the ansatz is too narrow: the equations ask for {label} = {c}, which it "
-                         "leaves out" + (
+                             f"change {label} by {number}")
+        raise SolveError(f"the ansatz is too narrow: the equations ask for {label} = {number}, "
+                         "which it leaves out" + (
                              f": its Fourier orders are n ≤ m + {ahead} at order m of λ; this one "
                              f"needs ahead={n - k} or more" if n > k + ahead else ""))
 

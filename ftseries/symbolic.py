@@ -17,12 +17,13 @@ from .aliases import Expr, Function, Json, Mode
 from .arguments import decimal, whole
 from .errors import InputError, NonAnalyticError
 from .expansion import Expansion
+from .expressions import by_name, expression, name_of, quoted
 from .first_steps import first_steps
 from .laurent import PolynomialRing, SurdRing
 from .problem import Field, Problem, Scalar
-from .reading import Language, name_of
+from .reading import Language
 from .seeds import measured, ratio, read, units
-from .translate import Translator, harmonic, lead
+from .translate import LAM, Translator, harmonic, lead
 
 __all__ = ["Equations"]
 
@@ -34,9 +35,12 @@ class Equations(Problem):
     ----------
     equations : SymPy Eq or expression, text, or a list or dict of them
         An expression means expression = 0.  In a text, ``x''`` is the second time derivative of the
-        field x, a bare ``x`` means x(t), and ``=`` separates the sides.
+        field x, a bare ``x`` means x(t), and ``=`` separates the sides.  A text has at most 10,000
+        characters and 1000 names and numbers, exponents go up to 100, and so on, as
+        :mod:`ftseries.expressions` lists; for SymPy the same bounds hold.
     unknowns : dict
         SymPy function (or its name) to :class:`Field`, SymPy symbol (or name) to :class:`Scalar`.
+        A name is any identifier of Python, also θ or ω, normalized as Python does it (NFKC).
     seed : dict, optional
         Unknown to its first terms, such as ``lam*cos(omega*t)``; left out, the first steps are
         solved automatically: about states of rest that are roots of polynomials of few terms, such
@@ -47,9 +51,9 @@ class Equations(Problem):
         The unknown scalar ω with τ = ωt; left out, the period is 2π.
     parameters : tuple of symbols or names, or dict from them to values
         Without a value (or with None) a parameter is carried as a symbol, and the coefficients are
-        polynomials in it.
+        polynomials in it.  Each of them has to occur in the equations.
     time, lam : symbol or name
-        t and λ.
+        t and λ; in texts λ itself may be written too, unless something else is called so.
     choice : int, optional
         Which solution of the first steps to take, where there are several; the refusal without it
         shows them.
@@ -82,12 +86,12 @@ class Equations(Problem):
         if not isinstance(unknowns, dict):
             raise InputError(f"unknowns={unknowns!r}: give a dict from each unknown to its Field "
                              "or Scalar")
-        self.unknowns = {name_of(key): _declared(key, value) for key, value in unknowns.items()}
+        self.unknowns = {name: _declared(name, u) for name, u in by_name(unknowns).items()}
         if not isinstance(parameters, (dict, tuple, list)):
             raise InputError(f"parameters={parameters!r}: give a tuple of names, such as ('mu',), "
                              "or a dict with values, such as {'mu': 2}")
-        values = {name_of(key): value for key, value in parameters.items()} \
-            if isinstance(parameters, dict) else {name_of(key): None for key in parameters}
+        values = by_name(parameters if isinstance(parameters, dict)
+                         else {key: None for key in parameters})
         self.parameters = tuple(name for name, value in values.items() if value is None)
         self.frequency = None if frequency is None else name_of(frequency)
         self.variable, self.ahead = name_of(time), whole("ahead", ahead)
@@ -110,8 +114,9 @@ class Equations(Problem):
         self._begin(self._choose(first_steps(self), choice) if seed is None else seed)
         self._check_analytic()
 
-    def equations(self, lam: Function, **unknowns: Function) -> dict[str, Function]:
-        env = {"lam": lam, **unknowns}
+    def equations(  # type: ignore[override]     # an unknown may be called lam or self
+            self, lam: Function, /, **unknowns: Function) -> dict[str, Function]:
+        env = {LAM: lam, **unknowns}
         return {name: build(env) for name, build in self._residuals.items()}
 
     def scale(self, name: str) -> Expr:
@@ -170,6 +175,12 @@ class Equations(Problem):
         if silent:
             raise InputError(f"no equation contains {', '.join(silent)}; correct the equations or "
                              "leave that unknown out")
+        language = self.language
+        idle = [name for name in (*self.parameters, *language.values)
+                if name not in mentioned | language.used]
+        if idle:
+            raise InputError(f"no equation contains the parameter {', '.join(idle)}; correct the "
+                             "equations or leave it out")
 
     def _check_lead(self) -> None:
         for where, e in self.expressions.items():
@@ -186,7 +197,7 @@ class Equations(Problem):
         """Evaluate every power, exp, sin and cos at λ = 0 on the seed."""
         ring = (SurdRing if self.surd else PolynomialRing)(self.parameters)
         expansion = Expansion(ring)
-        env: dict[str, Function] = {"lam": expansion.lam}
+        env: dict[str, Function] = {LAM: expansion.lam}
         for name, rows in self.first_coefficients().items():
             env[name] = expansion.unknown()
             env[name].set(0, ring.from_modes({k: ring.number(v) for k, v in rows[0].items()}))
@@ -266,10 +277,10 @@ def _declared(key: str, unknown: Any) -> Field | Scalar:
 
 def _value(name: str, value: Any) -> Expr:
     try:
-        number = decimal(value)
+        number = decimal(expression(value) if isinstance(value, str) else value)
     except InputError:
-        raise InputError(f"the parameter {name} has the value {value!r}, which is not a rational "
-                         "number; give an int, a Fraction or a float") from None
+        raise InputError(f"the parameter {name} has the value {quoted(value)}, which is not a "
+                         "rational number; give an int, a Fraction or a float") from None
     return sp.Rational(int(number.p), int(number.q))
 
 

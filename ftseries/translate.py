@@ -19,6 +19,7 @@ ratios of their factors; anything else is refused by name.  No term is ever drop
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import sympy as sp
@@ -27,35 +28,48 @@ from sympy.core.function import AppliedUndef
 from .aliases import Expr, Function
 from .arguments import rational
 from .errors import InputError
+from .expressions import is_number, quoted
 from .problem import Field, Scalar
 
 if TYPE_CHECKING:
     from .problem import Problem
     from .reading import Language
 
-__all__ = ["Translator", "harmonic", "lead", "plain"]
+__all__ = ["LAM", "Translator", "harmonic", "lead", "plain"]
 
-#: the series by name, λ among them as "lam"; what builds a function from them
+#: roots and functions in a number
+_ROOTS = 10
+#: the key of λ itself among the series: no unknown can have this name
+LAM = ""
+#: the series by name, λ among them; what builds a function from them
 Environment: TypeAlias = dict[str, Function]
 Build: TypeAlias = Callable[[Environment], Function]
 
 
+@lru_cache(maxsize=1000)
 def plain(number: Expr) -> Expr:
     """A SymPy number, written so that a rational one is seen to be rational.
+
+    Numbers with more than a few roots are refused: to simplify them may take any time.
 
     >>> plain(sp.sqrt(12) / sp.sqrt(3)), plain(sp.cbrt(3) / (2 * sp.Integer(3)**sp.Rational(-2, 3)))
     (2, 3/2)
     """
     if number.is_Rational:
         return number
+    roots = number.atoms(sp.Pow, sp.Function)
+    if len(roots) > _ROOTS:
+        raise InputError(f"the number {quoted(number)} has {len(roots)} roots or functions in it; "
+                         f"at most {_ROOTS} can be compared, so write it as a decimal")
     return sp.radsimp(sp.powsimp(sp.simplify(number), force=True))
 
 
 def harmonic(wave: Expr, time: Expr, omega: Expr) -> int | None:
     """n in cos(nωt) or sin(nωt); None for anything else."""
-    if not isinstance(wave, (sp.sin, sp.cos)):
+    if not isinstance(wave, (sp.sin, sp.cos)) or not wave.has(time) or wave.atoms(AppliedUndef):
         return None
-    n = plain(sp.simplify(wave.args[0] / (omega * time)))
+    n = sp.expand(sp.expand(wave.args[0]) / (omega * time))
+    n = plain(n) if is_number(n) else n
     return int(n) if n.is_Integer and n > 0 else None
 
 
@@ -90,7 +104,7 @@ class Translator:
 
     def build(self, e: Expr, where: str) -> tuple[Expr, Build]:
         """(factor, function): e = factor · function(series)."""
-        if not e.free_symbols and not e.atoms(AppliedUndef):
+        if is_number(e):
             if not e.is_finite or e.is_real is False:
                 raise InputError(f"equation {where} contains the number {e}; it must be finite "
                                  "and real")
@@ -115,9 +129,9 @@ class Translator:
     def _symbol(self, e: Expr, where: str) -> tuple[Expr, Build]:
         name, problem = e.name, self.problem
         if name == self.language.lam:
-            return self.unit, lambda env: env["lam"]
+            return self.unit, lambda env: env[LAM]
         if name in problem.parameters:
-            return sp.S.One, lambda env: env["lam"].expansion.parameter(name)
+            return sp.S.One, lambda env: env[LAM].expansion.parameter(name)
         if isinstance(problem.unknowns.get(name), Scalar):
             return self.scales.get(name, sp.S.One), lambda env: env[name]
         if isinstance(problem.unknowns.get(name), Field):
@@ -147,7 +161,7 @@ class Translator:
             for weight, part in weighted:
                 term = part(env)
                 if part is _one:
-                    term = env["lam"].expansion.constant(weight)
+                    term = env[LAM].expansion.constant(weight)
                 elif weight != 1:
                     term = term * weight
                 total = term if total is None else total + term
@@ -206,9 +220,14 @@ class Translator:
     def _function(self, e: Expr, where: str) -> tuple[Expr, Build]:
         which, n = type(e).__name__, harmonic(e, self.time, self.omega)
         if n:
-            return sp.S.One, lambda env: getattr(env["lam"].expansion, which)(n)
+            return sp.S.One, lambda env: getattr(env[LAM].expansion, which)(n)
         if not isinstance(e, sp.exp) and e.args[0].has(self.time) and not e.atoms(AppliedUndef) \
                 and sp.diff(e.args[0], self.time, 2) == 0:
+            if (sp.diff(e.args[0], self.time) / self.omega).is_Integer:
+                raise InputError(f"equation {where} contains {e}, whose phase is not zero; expand "
+                                 "it with an addition theorem, or count the time from another "
+                                 f"moment, so that only cos and sin of n*{self.omega}*{self.time} "
+                                 "are left")
             raise InputError(f"equation {where} contains {e}, which does not have the period of "
                              f"the ansatz; measure time so that it becomes {which}(n*{self.omega}*"
                              f"{self.time}) with a whole n")

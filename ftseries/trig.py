@@ -24,7 +24,7 @@ numbers and balls (:mod:`ftseries.laurent`), values on a grid for floats (:mod:`
 
 from __future__ import annotations
 
-from .aliases import Exact, Modes, Multiplier, Number, Part, Parts, Term, Terms
+from .aliases import Exact, Expr, Modes, Multiplier, Number, Part, Parts, Term, Terms
 from .arguments import rational
 from .errors import InputError, NonAnalyticError
 
@@ -98,13 +98,17 @@ class Ring:
     """Arithmetic of finite Fourier sums; subclasses say what a number and a part are."""
 
     #: the free parameters, which :class:`ftseries.laurent.PolynomialRing` carries
-    names: tuple[str, ...] = ()
+    names: tuple[str | Expr, ...] = ()
     #: is the residual decided exactly (or by balls), or up to rounding?
     exact = True
 
     def number(self, x: Exact) -> Number:
         """A rational as a number of the ring."""
         raise NotImplementedError
+
+    def written(self, number: Number) -> str:
+        """A number as messages write it."""
+        return str(number)
 
     def part(self, kind: int, modes: dict[int, Number]) -> Part:
         """The data of the modes ``{n: number}`` of one kind."""

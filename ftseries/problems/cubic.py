@@ -17,7 +17,8 @@ import sympy as sp
 
 from ..aliases import Expr, Function, Json
 from ..errors import InputError
-from ..problem import Field, Problem, Scalar, expression
+from ..expressions import expression, quoted
+from ..problem import Field, Problem, Scalar
 
 __all__ = ["CubicOscillator"]
 
@@ -45,7 +46,7 @@ class CubicOscillator(Problem):
     def __init__(self, a: Any = 1) -> None:
         self.a = expression(a)
         if self.a.is_positive is False or self.a in (sp.nan, sp.oo, sp.zoo):
-            raise InputError(f"a={a!r}: the parameter a of (C1) must be positive and finite")
+            raise InputError(f"a={quoted(a)}: the parameter a of (C1) must be positive and finite")
 
     def equations(  # type: ignore[override]     # the unknowns by name
             self, lam: Function, x: Function, omega: Function) -> dict[str, Function]:

@@ -26,7 +26,8 @@ from scipy.special import ellipk
 from ..aliases import ArrayLike, Exact, Expr, Function, Json, Real
 from ..arguments import real
 from ..errors import ConvergenceWarning, FTSeriesError, InputError
-from ..problem import Field, Problem, expression
+from ..expressions import expression, quoted
+from ..problem import Field, Problem
 from ..series import cos, sin
 
 __all__ = ["FigureEight", "LemniscateEight", "PlanarEight", "relative", "positions", "closure",
@@ -59,7 +60,7 @@ class FigureEight(Problem):
     def __init__(self, exponent: Exact = 1) -> None:
         self.exponent = expression(exponent)
         if not (self.exponent.is_Rational and self.exponent > -2):
-            raise InputError(f"exponent={exponent!r}: give a rational number above -2")
+            raise InputError(f"exponent={quoted(exponent)}: give a rational number above -2")
 
     def force(self, r: Function) -> Function:
         """The attraction at the distance r, in units in which it is 1 at r = 1."""

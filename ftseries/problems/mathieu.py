@@ -20,6 +20,7 @@ import sympy as sp
 from ..aliases import Function, Json
 from ..arguments import decimal
 from ..errors import InputError
+from ..expressions import expression, quoted
 from ..problem import Field, Problem, Scalar
 
 __all__ = ["GeneralizedMathieu"]
@@ -53,12 +54,14 @@ class GeneralizedMathieu(Problem):
             self.mu, self.parameters = None, ("mu",)
         else:
             try:
-                self.mu = decimal(mu)
+                self.mu = decimal(expression(mu) if isinstance(mu, str) else mu)
             except InputError:
-                raise InputError(f"mu={mu!r} is not a finite rational or float number; leave it "
-                                 "out to keep it as a symbol") from None
-        if not isinstance(branch, str) or not re.fullmatch(r"a(0|[1-9]\d*)|b[1-9]\d*", branch):
-            raise InputError(f"branch={branch!r}: give 'a0', 'a1', … or 'b1', 'b2', …")
+                raise InputError(f"mu={quoted(mu)} is not a finite rational or float number; "
+                                 "leave it out to keep it as a symbol") from None
+        if not isinstance(branch, str) or not re.fullmatch(
+                r"a(0|[1-9][0-9]{,3})|b[1-9][0-9]{,3}", branch):
+            raise InputError(f"branch={quoted(branch)}: give 'a0', 'a1', … or 'b1', 'b2', … up to "
+                             "9999")
         self.branch, n = branch, int(branch[1:])
         self.unknowns = {"psi": Field("cos" if branch[0] == "a" else "sin",
                                       modes="odd" if n % 2 else "even", powers="odd", fixed=(n,)),
