@@ -20,7 +20,7 @@ from flint import fmpq
 from .aliases import Array, Coefficients, Expr, Function, Json, Modes
 from .ansatz import Field, Scalar, in_parity
 from .arguments import decimal
-from .conversion import in_fractions, to_float
+from .conversion import in_fractions, symbolic, to_float
 from .errors import InputError
 from .function import Function as AnyFunction
 from .sampling import Samples
@@ -43,18 +43,17 @@ def expression(x: Any) -> Expr:
     >>> expression("2*sqrt(3)/a"), expression(0.1)
     (2*sqrt(3)/a, 1/10)
     """
+    if not isinstance(x, str):
+        return symbolic(x)
     try:
-        if isinstance(x, str):
-            nodes = list(ast.walk(ast.parse(x, mode="eval")))
-            names = {node.id for node in nodes if isinstance(node, ast.Name)}
-            if not all(isinstance(node, _SAFE) or (isinstance(node, ast.Call)
-                                                   and isinstance(node.func, ast.Name)
-                                                   and node.func.id == "sqrt") for node in nodes):
-                raise ValueError(x)
-            symbols = {name: sp.Symbol(name, positive=True) for name in names - {"sqrt"}}
-            result = sp.sympify(x, locals=symbols, rational=True)
-        else:
-            result = sp.sympify(x)
+        nodes = list(ast.walk(ast.parse(x, mode="eval")))
+        names = {node.id for node in nodes if isinstance(node, ast.Name)}
+        if not all(isinstance(node, _SAFE) or (isinstance(node, ast.Call)
+                                               and isinstance(node.func, ast.Name)
+                                               and node.func.id == "sqrt") for node in nodes):
+            raise ValueError(x)
+        symbols = {name: sp.Symbol(name, positive=True) for name in names - {"sqrt"}}
+        result = sp.sympify(x, locals=symbols, rational=True)
     except (sp.SympifyError, SyntaxError, TypeError, ValueError):
         result = None
     if not isinstance(result, sp.Expr):

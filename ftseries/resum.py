@@ -7,7 +7,7 @@ Formula.  Mode n of an unknown is Λ^first Σ_k c_k z^k with z = Λ^step (see
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from flint import arb, ctx
@@ -17,7 +17,7 @@ from .analysis import Estimate, pade
 from .arguments import real, scalar, scalars
 from .conversion import float_unit, to_ball
 from .errors import InputError
-from .evaluation import SMALL, motion, times, unknown, warn
+from .evaluation import SMALL, check_lam, motion, times, unknown, warn
 from .problem import Scalar
 
 if TYPE_CHECKING:
@@ -85,8 +85,8 @@ class Resummed:
         return {mode: unit * lam**first * approximant(lam**step)
                 for mode, (step, first, approximant) in self.approximants(name).items()}
 
-    def evaluate(self, name: str, t: ArrayLike | None = None, *, lam: ArrayLike,
-                 derivative: int = 0) -> Real:
+    def evaluate(self, name: str, t: ArrayLike | None = None, *positional: Any,
+                 lam: Any = None, derivative: int = 0) -> Real:
         """The value of an unknown, or a derivative in t, as :meth:`ftseries.Solution.evaluate`.
 
         Warns
@@ -94,6 +94,7 @@ class Resummed:
         ConvergenceWarning
             The truncated series is no approximation at λ, and :meth:`error` is not small either.
         """
+        check_lam(self.problem, name, t, positional, lam)
         t = real("t", times(self.problem, name, t, derivative))
         sums = {which: self.amplitudes(which, lam) for which in self.solution._summed(name)}
         self._refuse_poles(name, sums[name], lam)

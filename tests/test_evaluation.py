@@ -2,12 +2,14 @@
 
 import re
 import warnings
+from decimal import Decimal
 from fractions import Fraction
 from math import comb
 
 import mpmath
 import numpy as np
 import pytest
+from flint import fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 from sample_problems import Duffing
@@ -173,13 +175,16 @@ def test_the_working_precision_of_mpmath_is_left_alone(cubic):
 
 
 def test_exact_input_is_used_exactly(cubic):
-    """A text, a SymPy number and mpmath digits mean the same; the float 0.1 is another number."""
+    """A text, a SymPy number, mpmath digits and the float 0.1 mean a tenth, in every library."""
     import sympy as sp
     with mpmath.workdps(40):
         values = [cubic.evaluate("omega", lam=lam, dps=40)
-                  for lam in ("0.1", sp.Rational(1, 10), mpmath.mpf("0.1"))]
-        assert max(values) - min(values) < mpmath.mpf("1e-39")
-        assert abs(cubic.evaluate("omega", lam=0.1, dps=40) - values[0]) > mpmath.mpf("1e-20")
+                  for lam in ("0.1", sp.Rational(1, 10), mpmath.mpf("0.1"), 0.1, np.float64(0.1),
+                              np.float32(0.1), sp.Float(0.1), Fraction(1, 10), Decimal("0.1"),
+                              fmpq(1, 10))]
+        assert len(set(values)) == 1
+        bits = fmpq(*(0.1).as_integer_ratio())                    # the float as a binary number
+        assert abs(cubic.evaluate("omega", lam=bits, dps=40) - values[0]) > mpmath.mpf("1e-20")
 
 
 def test_a_scalar_over_an_array(cubic):
