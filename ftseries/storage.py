@@ -9,10 +9,9 @@ what it did.
 
 What is read has to be a solution of its problem, so that neither a class that was changed since nor
 an altered file gives the coefficients of another one.  Checked are the types and ranges, that each
-coefficient belongs to the ansatz, that the first ones are those of the seed, and that *every* order
-of the equations holds, in the arithmetic of the solution: exactly, within balls, or up to the
-rounding of floats.  Where there are free parameters, that is done at one point of random rational
-values of them.  It takes a tenth to a half of the time of the solve.
+coefficient belongs to the ansatz, that the first ones are those of the seed, and that they solve
+the equations at every order: exactly, within balls, or up to the rounding of floats, see
+:mod:`ftseries.verification`.
 """
 
 from __future__ import annotations
@@ -21,22 +20,19 @@ import inspect
 import json
 import math
 import os
-import random
 import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from flint import arb, ctx, fmpq, fmpq_mpoly, fmpz
+from flint import arb, fmpq, fmpq_mpoly, fmpz
 
 from . import jsonfile
 from .aliases import Coefficients, FilePath, Json, Mode, Modes, Number
 from .arguments import shown, whole
-from .conversion import at
 from .errors import FileError, FTSeriesError, InputError
-from .grid import FloatRing
-from .laurent import BallRing, PolynomialRing, RationalRing, SurdRing
+from .laurent import PolynomialRing
 from .problem import Problem
-from .stages import contradiction
+from .verification import fault
 
 if TYPE_CHECKING:
     from .solution import Solution
@@ -48,11 +44,9 @@ Contents: TypeAlias = tuple[Problem, str, int, Coefficients, int | None]
 
 _KIND = "ftseries"
 #: Fourier and Taylor orders, bits, and digits of an exact number that a file may ask for
-_ORDERS, _BITS, _DIGITS = 4000, 100_000, 100_000
+_ORDERS, _BITS, _DIGITS = 1000, 100_000, 100_000
 #: mantissa and exponent of a ball's midpoint, and of its radius
 _BALL = ("-?[0-9]{1,100000}", "-?[0-9]{1,12}", "[0-9]{1,20}", "-?[0-9]{1,12}")
-#: random values of free parameters are multiples of 1/_POINTS in (0, 1)
-_POINTS = 2**20
 
 
 def save(solution: Solution, path: FilePath) -> None:
@@ -62,7 +56,7 @@ def save(solution: Solution, path: FilePath) -> None:
     ------
     FileError
         The folder does not exist or cannot be written; the problem does not say how to make it
-        again, see :meth:`ftseries.Problem.arguments`; the solution has orders above 4000 or more
+        again, see :meth:`ftseries.Problem.arguments`; the solution has orders above 1000 or more
         than 100000 bits.
     """
     problem = solution.problem
@@ -146,7 +140,9 @@ def _contents(data: dict[str, Json], problem: Problem | None) -> Contents:
             raise InputError(f"{unknown} has {len(rows)} Taylor orders instead of {order + 1}")
     coefficients = decoded(data["coefficients"], problem, arithmetic)
     _check_ansatz(problem, coefficients)
-    _check_equations(problem, arithmetic, coefficients, precision)
+    if reason := fault(problem, arithmetic, coefficients, precision):
+        raise FileError(f"the coefficients in the file {reason}, so they were saved for other "
+                        "equations; load them with those, or solve again")
     return problem, arithmetic, order, coefficients, precision
 
 
@@ -191,7 +187,7 @@ def _agree(row: Modes, first: Mapping[Mode, Any]) -> bool:
     """Are these the coefficients of the seed, as the arithmetic holds them?"""
     def same(c: Number, q: Any) -> bool:
         if isinstance(c, arb):
-            return bool(c.contains(q))
+            return bool((c * q.q - q.p).contains(0))
         return bool(c == (int(q.p) / int(q.q) if isinstance(c, float) else q))
     return row.keys() == first.keys() and all(same(row[mode], q) for mode, q in first.items())
 
@@ -200,47 +196,6 @@ def _possible(problem: Problem, name: str, mode: Mode, m: int) -> bool:
     unknown = problem.unknowns[name]
     return (unknown.has(mode) and not unknown.is_fixed(mode)
             and problem.allowed(name, mode[1], m))
-
-
-class _RationalAt(RationalRing):
-    """Rational numbers, with one in the place of each free parameter."""
-
-    def __init__(self, point: dict[str, fmpq]) -> None:
-        self.point, self.names = point, tuple(point)
-
-    def parameter(self, name: str) -> fmpq:
-        return self.point[name]
-
-
-class _SurdAt(SurdRing):
-    """The same with √3."""
-
-    def __init__(self, point: dict[str, fmpq]) -> None:
-        super().__init__()
-        self.point, self.names = point, tuple(point)
-
-    def parameter(self, name: str) -> fmpq_mpoly:
-        return self.number(self.point[name])
-
-
-def _check_equations(problem: Problem, arithmetic: str, coefficients: Coefficients,
-                     precision: int | None) -> None:
-    """Refuse coefficients that contradict the equations at any order."""
-    top = min(map(len, coefficients.values())) - 1
-    point = {name: fmpq(random.SystemRandom().randrange(1, _POINTS), _POINTS)
-             for name in problem.parameters}
-    exact = _SurdAt if problem.surd else _RationalAt
-    ring = (FloatRing(degree=top + problem.ahead, order=top) if arithmetic == "float" else
-            BallRing() if arithmetic == "ball" else exact(point))
-    with ctx.workprec(precision or ctx.prec):
-        known = {name: [{mode: ring.number(at(c, list(point.values()))) for mode, c in row.items()}
-                        for row in rows] for name, rows in coefficients.items()}
-        found = contradiction(problem, ring, known, top)
-    if found:
-        equation, order = found
-        raise FileError(f"the coefficients in the file contradict equation {equation} of "
-                        f"{problem!r} at order {order} of λ, so they were saved for other "
-                        "equations; load them with those, or solve again")
 
 
 def _check_arguments(kind: type[Problem]) -> None:

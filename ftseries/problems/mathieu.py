@@ -57,7 +57,7 @@ class GeneralizedMathieu(Problem):
             except InputError:
                 raise InputError(f"mu={mu!r} is not a finite rational or float number; leave it "
                                  "out to keep it as a symbol") from None
-        if not isinstance(branch, str) or not re.fullmatch(r"a(0|[1-9]\d*)|b[1-9]\d*", branch):
+        if not isinstance(branch, str) or not re.fullmatch("(a(?=0$)|[ab](?!0))[0-9]{1,9}", branch):
             raise InputError(f"branch={branch!r}: give 'a0', 'a1', … or 'b1', 'b2', …")
         self.branch, n = branch, int(branch[1:])
         self.unknowns = {"psi": Field("cos" if branch[0] == "a" else "sin",

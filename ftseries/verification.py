@@ -1,0 +1,178 @@
+"""Are these the coefficients of a solution?
+
+Method.  Coefficients U_0, …, U_N that claim to solve a problem are put into its equations.  The
+first orders are solved again exactly, for what the equations say of λ⁰, λ¹, … and for the linear
+part.  Then *every* order of the residuals is looked at, in floats or in balls; exact coefficients
+are put in as balls of 128 bits.  What the residuals up to λ^N leave open, a coordinate that is
+settled late (see :mod:`ftseries.stages`), is found by solving the last orders again.  Free
+parameters get random rational values.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+from flint import arb, ctx, fmpq, fmpq_mpoly
+from tqdm import tqdm
+
+from .aliases import Coefficients, Modes, Number
+from .conversion import at
+from .errors import UndeterminedError
+from .grid import FloatRing
+from .laurent import BallRing, RationalRing, SurdRing
+from .linear import REACH, LinearPart
+from .stages import LATEST, Stages, contradiction
+
+if TYPE_CHECKING:
+    from .problem import Problem
+    from .trig import Ring
+
+__all__ = ["fault"]
+
+#: orders whose equations are looked at first; bits for exact coefficients
+_FIRST, _BITS = 8, 128
+#: random values of free parameters are multiples of 1/_POINTS in (0, 1)
+_POINTS = 2**20
+#: what rounding may change of a float, against the largest ones up to its order
+_ROUNDING = 1e-9
+
+
+def fault(problem: Problem, arithmetic: str, coefficients: Coefficients,
+          precision: int | None = None) -> str | None:
+    """Why these are not the coefficients of a solution (a predicate of them), or None.
+
+    >>> import ftseries as fts
+    >>> sol = fts.solve(fts.CubicOscillator(), order=6)
+    >>> fault(sol.problem, "exact", sol.coefficients) is None
+    True
+    >>> sol.coefficients["omega"][6][0, 0] += 1
+    >>> fault(sol.problem, "exact", sol.coefficients)
+    'differ from those of CubicOscillator(a=1) in omega at order 6 of λ'
+    """
+    for late in LATEST:
+        try:
+            with np.errstate(all="ignore"), ctx.workprec(precision or _BITS):
+                return _Check(problem, arithmetic, coefficients, late).fault()
+        except UndeterminedError:
+            if late == LATEST[-1]:
+                raise
+    return None
+
+
+class _Check:
+    def __init__(self, problem: Problem, arithmetic: str, coefficients: Coefficients,
+                 late: int) -> None:
+        self.problem, self.arithmetic, self.late = problem, arithmetic, late
+        self.top = min(map(len, coefficients.values())) - 1
+        point = {name: fmpq(random.SystemRandom().randrange(1, _POINTS), _POINTS)
+                 for name in problem.parameters}
+        self.exact: Ring = (_SurdAt if problem.surd else _RationalAt)(point)
+        reach = self.top + late + REACH
+        self.ring = _BallsAt(point) if arithmetic != "float" else \
+            FloatRing(degree=reach + problem.ahead, order=reach)
+        values = list(point.values())
+        self.given = _converted({name: [{mode: at(c, values) for mode, c in row.items()}
+                                        for row in rows] for name, rows in coefficients.items()},
+                                self.ring)
+
+    def fault(self) -> str | None:
+        return self.in_equations() or self.in_first() or self.in_last()
+
+    def in_equations(self) -> str | None:
+        """A contradiction in the first orders."""
+        first = {name: rows[:_FIRST + 1] for name, rows in self.given.items()}
+        found = contradiction(self.problem, self.ring, first, min(_FIRST, self.top))
+        return self.contradicts(*found) if found else None
+
+    def in_first(self) -> str | None:
+        """What the first orders, solved again exactly, give otherwise."""
+        seed = self.problem.first_coefficients()
+        order = max(self.top, *map(len, seed.values()))
+        known = _converted(seed, self.exact)
+        linear = LinearPart(self.problem, self.exact, known,
+                            order + self.late + self.problem.ahead)
+        self.tail = self.late + linear.reach
+        self.lead = min(order, 2 * self.tail)
+        self.first = Stages(self.problem, linear, self.exact, known, self.lead, self.late)
+        self.first.run(tqdm(disable=True))
+        return self.other(self.first.known, range(min(self.lead, self.top) + 1))
+
+    def in_last(self) -> str | None:
+        """A contradiction at any order, or what the last ones, solved again, give otherwise."""
+        if self.top <= self.lead:
+            return None
+        start = max(self.lead, self.top - self.tail) + 1
+        stages = Stages(self.problem, self.first.linear, self.ring, {
+            name: [dict(row) for row in rows[:start]] for name, rows in self.given.items()},
+            self.top, self.late)
+        for k in range(start):
+            if found := stages.unsatisfied(k):
+                e = found[0][0]
+                return self.contradicts(stages.linear.names[e], k + stages.linear.shifts[e])
+        stages.run(tqdm(disable=True), fresh=False)
+        return self.other(stages.known, range(start, self.top + 1))
+
+    def contradicts(self, equation: str, order: int) -> str:
+        return f"contradict equation {equation} of {self.problem!r} at order {order} of λ"
+
+    def other(self, found: Coefficients, orders: range) -> str | None:
+        """The first coefficients that are not those ``found``."""
+        found = _converted(found, self.ring)
+        scale = 0.0
+        for m in orders:
+            if self.arithmetic == "float":
+                scale = max(scale, *(abs(c) for known in (found, self.given)
+                                     for rows in known.values() for c in rows[m].values()), 0.0)
+            for name, rows in self.given.items():
+                if not self.agree(rows[m], found[name][m], scale):
+                    return (f"differ from those of {self.problem!r} in {name} at order {m} of "
+                            "λ")
+        return None
+
+    def agree(self, row: Modes, other: Modes, scale: float) -> bool:
+        zero = self.ring.number(0)
+        return all(self.ring.negligible(row.get(mode, zero) - other.get(mode, zero), scale)
+                   for mode in {*row, *other})
+
+
+class _BallsAt(BallRing):
+    """Balls, with a number in the place of each free parameter."""
+
+    def __init__(self, point: Mapping[str, fmpq]) -> None:
+        self.point, self.names = point, tuple(point)
+
+    def parameter(self, name: str) -> arb:
+        return self.number(self.point[name])
+
+
+class _RationalAt(RationalRing):
+    """The same exactly."""
+
+    def __init__(self, point: Mapping[str, fmpq]) -> None:
+        self.point, self.names = point, tuple(point)
+
+    def parameter(self, name: str) -> fmpq:
+        return self.point[name]
+
+
+class _SurdAt(SurdRing):
+    """The same exactly, with √3."""
+
+    def __init__(self, point: Mapping[str, fmpq]) -> None:
+        super().__init__()
+        self.point, self.names = point, tuple(point)
+
+    def parameter(self, name: str) -> fmpq_mpoly:
+        return self.number(self.point[name])
+
+
+def _converted(known: Coefficients, ring: Ring) -> Coefficients:
+    def number(c: Number) -> Number:
+        if isinstance(c, fmpq_mpoly) and not isinstance(ring, SurdRing):
+            return ring.number(c.to_dict().get((0, 0), fmpq(0)))      # √3 cancels in the end
+        return ring.number(c)
+    return {name: [{mode: number(c) for mode, c in row.items()} for row in rows]
+            for name, rows in known.items()}
