@@ -32,8 +32,8 @@ from mpmath.libmp import (
 from .aliases import Array, Exact
 from .errors import InputError
 
-__all__ = ["DIGITS", "decimal", "labelled", "rational", "real", "scalar", "scalars", "shown",
-           "whole"]
+__all__ = ["DIGITS", "decimal", "labelled", "quotient", "rational", "real", "scalar", "scalars",
+           "shown", "whole"]
 
 #: digits that a number may have, and the power of ten in which it may be written: Python refuses
 #: to print integers of more than 4300
@@ -51,9 +51,8 @@ def decimal(x: Exact) -> fmpq:
     >>> decimal(0.3), decimal("0.3"), decimal(1/3)
     (3/10, 3/10, 3333333333333333/10000000000000000)
     """
-    if isinstance(x, np.ndarray) and not x.ndim and not np.ma.is_masked(x):
-        x = x[()]
-    if hasattr(x, "_mpf_") and isfinite(x):                        # mpmath or a SymPy Float
+    x = _inside(x)
+    if _is_mpf(x) and isfinite(x):
         _check_power(x, sum(x._mpf_[2:]) / math.log2(10))
         short = to_float(x._mpf_)
         double = getattr(x, "_prec", 53) >= 53 and from_float(short) == x._mpf_
@@ -62,6 +61,16 @@ def decimal(x: Exact) -> fmpq:
     if max(number.p.bit_length(), number.q.bit_length()) > DIGITS * math.log2(10):
         raise InputError(f"{shown(x)} has more than {DIGITS} digits; give a shorter number")
     return number
+
+
+def _inside(x: Any) -> Any:
+    """The number in an array of no dimensions."""
+    return x[()] if isinstance(x, np.ndarray) and not x.ndim and not np.ma.is_masked(x) else x
+
+
+def _is_mpf(x: Any) -> bool:
+    """A number of mpmath or a SymPy Float; balls of FLINT would pass for one, too."""
+    return hasattr(x, "_mpf_") and not isinstance(x, (arb, arf))
 
 
 def _shortest(x: Any) -> str:
@@ -90,14 +99,25 @@ def rational(x: Exact) -> fmpq:
     return fmpq(int(f.numerator), int(f.denominator))
 
 
+def quotient(x: fmpq) -> float:
+    """The nearest float of a number in the equations or in a series."""
+    try:
+        return int(x.p) / int(x.q)
+    except OverflowError:
+        raise InputError(f"a coefficient or a number of the equations, {shown(x)}, is beyond the "
+                         "floats; solve with arithmetic='exact' or 'ball', or measure in another "
+                         "unit") from None
+
+
 def _fraction(x: Any) -> Fraction | fmpq:
+    x = _inside(x)
     if isinstance(x, (np.timedelta64, np.ma.MaskedArray)):
         raise TypeError
     if isinstance(x, str):
         _check_text(x)
     elif isinstance(x, Decimal) and x.is_finite():
         _check_power(x, x.adjusted())
-    elif hasattr(x, "_mpf_"):                                      # mpmath or a SymPy Float
+    elif _is_mpf(x):
         if not isfinite(x):
             raise ValueError
         _check_power(x, sum(x._mpf_[2:]) / math.log2(10))
@@ -145,7 +165,7 @@ def shown(x: Any) -> str:
     try:
         text = " ".join(repr(x).split())
     except Exception:                                        # an integer of more than 4300 digits
-        text = f"a number or object of type {type(x).__name__} too long to print"
+        text = f"<{type(x).__name__}, too long to print>"
     return text if len(text) <= 200 else f"{text[:90]} … {text[-20:]}"
 
 
@@ -171,7 +191,8 @@ def real(name: str, value: Any) -> Array:
 
 
 def _floats(value: Any) -> Array:
-    if np.ma.is_masked(value):
+    if np.ma.is_masked(value) or isinstance(value, (list, tuple)) and any(
+            map(np.ma.is_masked, value)):
         raise InputError("some of its entries are masked; give those that are not, such as "
                          "x.compressed()")
     array = np.asarray(value)

@@ -55,7 +55,7 @@ def symbolic(x: Any) -> Expr:
             raise InputError
         return to_sympy(decimal(x), ())
     except InputError as error:
-        why = f", because {error}" if isinstance(x, arb) else ""
+        why = f" ({error})" if error.args else ""
         raise InputError(f"{shown(x)} is not a number or a SymPy expression{why}") from None
 
 

@@ -14,7 +14,7 @@ from typing import Any
 import sympy as sp
 
 from .aliases import Expr, Function, Json, Mode
-from .arguments import decimal, whole
+from .arguments import decimal, shown, whole
 from .errors import InputError, NonAnalyticError
 from .expansion import Expansion
 from .first_steps import first_steps
@@ -267,9 +267,9 @@ def _declared(key: str, unknown: Any) -> Field | Scalar:
 def _value(name: str, value: Any) -> Expr:
     try:
         number = decimal(value)
-    except InputError:
-        raise InputError(f"the parameter {name} has the value {value!r}, which is not a rational "
-                         "number; give an int, a Fraction or a float") from None
+    except InputError as error:
+        raise InputError(f"the parameter {name} has the value {shown(value)}, which is not a "
+                         f"rational number; give an int, a Fraction or a float ({error})") from None
     return sp.Rational(int(number.p), int(number.q))
 
 

@@ -18,7 +18,7 @@ from typing import Any
 import sympy as sp
 
 from ..aliases import Function, Json
-from ..arguments import decimal
+from ..arguments import decimal, shown
 from ..errors import InputError
 from ..problem import Field, Problem, Scalar
 
@@ -49,14 +49,14 @@ class GeneralizedMathieu(Problem):
     variable = "x"
 
     def __init__(self, mu: Any = None, branch: str = "b1") -> None:
-        if mu is None or mu == sp.Symbol("mu"):
+        if mu is None or isinstance(mu, sp.Symbol) and mu.name == "mu":
             self.mu, self.parameters = None, ("mu",)
         else:
             try:
                 self.mu = decimal(mu)
-            except InputError:
-                raise InputError(f"mu={mu!r} is not a finite rational or float number; leave it "
-                                 "out to keep it as a symbol") from None
+            except InputError as error:
+                raise InputError(f"mu={shown(mu)} is not a finite rational or float number; leave "
+                                 f"it out to keep it as a symbol ({error})") from None
         if not isinstance(branch, str) or not re.fullmatch("(a(?=0$)|[ab](?!0))[0-9]{1,9}", branch):
             raise InputError(f"branch={branch!r}: give 'a0', 'a1', … or 'b1', 'b2', …")
         self.branch, n = branch, int(branch[1:])

@@ -91,7 +91,7 @@ def _rationals(series: Any, order: int) -> list[fmpq]:
 
 
 def _positive(a: Exact) -> Any:
-    if not isinstance(a, sympy.Basic):
+    if not isinstance(a, sympy.Basic) or isinstance(a, sympy.Float):
         q = decimal(a)
         a = sympy.Rational(int(q.p), int(q.q))
     if not a.is_positive:
