@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 from flint import arb, arf, fmpq, fmpz
-from mpmath import isfinite
+from mpmath import isfinite, mpf
 from mpmath.libmp import (
     from_float,
     from_str,
@@ -32,8 +32,8 @@ from mpmath.libmp import (
 from .aliases import Array, Exact
 from .errors import InputError
 
-__all__ = ["DIGITS", "decimal", "labelled", "quotient", "rational", "real", "scalar", "scalars",
-           "shown", "whole"]
+__all__ = ["DIGITS", "computed", "decimal", "labelled", "quotient", "rational", "real", "scalar",
+           "scalars", "shown", "whole"]
 
 #: digits that a number may have, and the power of ten in which it may be written: Python refuses
 #: to print integers of more than 4300
@@ -61,6 +61,16 @@ def decimal(x: Exact) -> fmpq:
     if max(number.p.bit_length(), number.q.bit_length()) > DIGITS * math.log2(10):
         raise InputError(f"{shown(x)} has more than {DIGITS} digits; give a shorter number")
     return number
+
+
+def computed(x: Exact) -> fmpq:
+    """The same, but a number of mpmath by its bits: it comes from a computation, such as λ + 2⁻⁹⁹.
+
+    >>> from mpmath import mpf
+    >>> computed(0.1), computed(mpf(0.1)) == fmpq(*(0.1).as_integer_ratio())
+    (1/10, True)
+    """
+    return rational(x) if isinstance(x, mpf) else decimal(x)
 
 
 def _inside(x: Any) -> Any:

@@ -110,13 +110,14 @@ def to_ball(unit: Expr) -> arb:
 def precise(x: Any) -> Any:
     """A number that a user gives, in mpmath's working precision.
 
-    A float is the decimal that it looks like; π, √2 and mpmath's constants have all their digits.
+    A float is the decimal that it looks like, mpmath's numbers keep their bits, and π and √2 have
+    all their digits.
 
     >>> with mpmath.workdps(30):
     ...     print(precise(0.1), precise(sp.sqrt(2)))
     0.1 1.41421356237309504880168872421
     """
-    if isinstance(x, type(mpmath.pi)):
+    if isinstance(x, mpmath.mpf):
         return +x
     if isinstance(x, sp.Expr) and not isinstance(x, (sp.Rational, sp.Float)):
         return mpmath.mpmathify(x.evalf(mpmath.mp.dps))

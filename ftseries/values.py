@@ -18,7 +18,7 @@ from flint import fmpq
 
 from . import evaluation
 from .aliases import Array, ArrayLike, Coefficients, Mode, Number, Real
-from .arguments import decimal, scalars, whole
+from .arguments import computed, scalars, whole
 from .conversion import at, float_unit, to_float, to_mpf
 from .errors import InputError, PrecisionWarning
 from .problem import Scalar
@@ -58,7 +58,7 @@ class Values:
         dps : int, optional
             Decimal digits; the result then consists of mpmath numbers.  Python prints as many of
             them as ``mpmath.mp.dps`` says; ``mpmath.nstr(value, dps)`` shows all.  A float is the
-            decimal that it looks like: ``lam=0.1`` is a tenth.
+            decimal that it looks like, ``lam=0.1`` is a tenth; of mpmath's numbers all bits count.
         derivative : int
             Of a field, its derivative of this order in the time t, for example 1 for the velocity.
         **parameters
@@ -117,7 +117,7 @@ class Values:
 
     def _point(self, parameters: Mapping[str, Any]) -> list[fmpq]:
         """The values of the free parameters, in their order, as rationals."""
-        return [decimal(parameters[p]) for p in self.problem.parameters]
+        return [computed(parameters[p]) for p in self.problem.parameters]
 
     def _make_table(self, name: str, parameters: Point) -> dict[Mode, Array]:
         """The coefficients in the solver's units, in which they grow least."""

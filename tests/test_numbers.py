@@ -80,6 +80,8 @@ def test_a_float_is_the_decimal_that_it_looks_like_everywhere(cubic, mathieu, te
     assert certify.cubic_bound(1, tenth, 8).lam == fmpq(1, 10)
     assert certify.mathieu_eigenvalue(1, tenth, digits=5).mu == fmpq(1, 10)
     assert written("lam", tenth) == "0.1" and (given("lam", tenth) - fmpq(1, 10)).contains(0)
+    if isinstance(tenth, mpmath.mpf):
+        return                                      # computations keep its bits
     assert reference.frequency(tenth, dps=40) == reference.frequency(Fraction(1, 10), dps=40)
     if tenth != "1/10":                             # real() takes decimals
         assert mathieu.evaluate("a", lam=tenth, mu=tenth, dps=40) == mathieu.evaluate(

@@ -33,8 +33,9 @@ def number(name: str, value: Any) -> Any:
 
 
 def _inexact(value: Any) -> bool:
-    """Is it a complex number, or a constant such as mpmath.pi?"""
-    return isinstance(value, (complex, np.complexfloating, mpmath.mpc, type(mpmath.pi)))
+    """Is it a complex number, one of mpmath, or no number?"""
+    return isinstance(value, (complex, np.complexfloating, mpmath.mpc, mpmath.mpf)) \
+        or str(value).strip(" +-").lower() in ("nan", "inf", "infinity")
 
 
 def _quotient(q: fmpq) -> Any:
