@@ -18,13 +18,13 @@ import numpy as np
 from flint import arb, ctx, fmpq, fmpq_mpoly
 from tqdm import tqdm
 
-from .aliases import Coefficients, Modes, Number
+from .aliases import Coefficients, Number
 from .conversion import at
 from .errors import UndeterminedError
 from .grid import FloatRing
 from .laurent import BallRing, RationalRing, SurdRing
 from .linear import REACH, LinearPart
-from .stages import LATEST, Stages, contradiction
+from .stages import LATEST, Stages, _scale, contradiction
 
 if TYPE_CHECKING:
     from .problem import Problem
@@ -36,8 +36,6 @@ __all__ = ["fault"]
 _FIRST, _BITS = 8, 128
 #: random values of free parameters are multiples of 1/_POINTS in (0, 1)
 _POINTS = 2**20
-#: what rounding may change of a float, against the largest ones up to its order
-_ROUNDING = 1e-9
 
 
 def fault(problem: Problem, arithmetic: str, coefficients: Coefficients,
@@ -79,63 +77,47 @@ class _Check:
                                 self.ring)
 
     def fault(self) -> str | None:
-        return self.in_equations() or self.in_first() or self.in_last()
-
-    def in_equations(self) -> str | None:
-        """A contradiction in the first orders."""
+        """A contradiction, or what solving the first and the last orders again gives otherwise."""
         first = {name: rows[:_FIRST + 1] for name, rows in self.given.items()}
-        found = contradiction(self.problem, self.ring, first, min(_FIRST, self.top))
-        return self.contradicts(*found) if found else None
-
-    def in_first(self) -> str | None:
-        """What the first orders, solved again exactly, give otherwise."""
+        if found := contradiction(self.problem, self.ring, first, min(_FIRST, self.top)):
+            return self.contradicts(*found)
         seed = self.problem.first_coefficients()
         order = max(self.top, *map(len, seed.values()))
         known = _converted(seed, self.exact)
         linear = LinearPart(self.problem, self.exact, known,
                             order + self.late + self.problem.ahead)
-        self.tail = self.late + linear.reach
-        self.lead = min(order, 2 * self.tail)
-        self.first = Stages(self.problem, linear, self.exact, known, self.lead, self.late)
-        self.first.run(tqdm(disable=True))
-        return self.other(self.first.known, range(min(self.lead, self.top) + 1))
-
-    def in_last(self) -> str | None:
-        """A contradiction at any order, or what the last ones, solved again, give otherwise."""
-        if self.top <= self.lead:
-            return None
-        start = max(self.lead, self.top - self.tail) + 1
-        stages = Stages(self.problem, self.first.linear, self.ring, {
+        tail = self.late + linear.reach
+        lead = min(order, 2 * tail)
+        exact = Stages(self.problem, linear, self.exact, known, lead, self.late)
+        exact.run(tqdm(disable=True))
+        start = min(self.top, max(lead, self.top - tail)) + 1
+        stages = Stages(self.problem, exact.linear, self.ring, {
             name: [dict(row) for row in rows[:start]] for name, rows in self.given.items()},
             self.top, self.late)
         for k in range(start):
-            if found := stages.unsatisfied(k):
-                e = found[0][0]
+            if row := stages.unsatisfied(k):
+                e = row[0][0]
                 return self.contradicts(stages.linear.names[e], k + stages.linear.shifts[e])
+        if reason := self.other(exact.known, range(min(lead, self.top) + 1), stages):
+            return reason
         stages.run(tqdm(disable=True), fresh=False)
-        return self.other(stages.known, range(start, self.top + 1))
+        return self.other(stages.known, range(start, self.top + 1), stages)
 
     def contradicts(self, equation: str, order: int) -> str:
         return f"contradict equation {equation} of {self.problem!r} at order {order} of λ"
 
-    def other(self, found: Coefficients, orders: range) -> str | None:
+    def other(self, found: Coefficients, orders: range, stages: Stages) -> str | None:
         """The first coefficients that are not those ``found``."""
-        found = _converted(found, self.ring)
-        scale = 0.0
+        found, zero = _converted(found, self.ring), self.ring.number(0)
         for m in orders:
-            if self.arithmetic == "float":
-                scale = max(scale, *(abs(c) for known in (found, self.given)
-                                     for rows in known.values() for c in rows[m].values()), 0.0)
+            size = max(_scale(stages.expansion, m + shift) for shift in stages.linear.shifts)
             for name, rows in self.given.items():
-                if not self.agree(rows[m], found[name][m], scale):
+                row, other = rows[m], found[name][m]
+                if not all(self.ring.negligible(row.get(mode, zero) - other.get(mode, zero), size)
+                           for mode in {*row, *other}):
                     return (f"differ from those of {self.problem!r} in {name} at order {m} of "
                             "λ")
         return None
-
-    def agree(self, row: Modes, other: Modes, scale: float) -> bool:
-        zero = self.ring.number(0)
-        return all(self.ring.negligible(row.get(mode, zero) - other.get(mode, zero), scale)
-                   for mode in {*row, *other})
 
 
 class _BallsAt(BallRing):
