@@ -1,11 +1,10 @@
 """Are these the coefficients of a solution?
 
-Method.  Coefficients U_0, …, U_N that claim to solve a problem are put into its equations.  The
-first orders are solved again exactly, for what the equations say of λ⁰, λ¹, … and for the linear
-part.  Then *every* order of the residuals is looked at, in floats or in balls; exact coefficients
-are put in as balls of 128 bits.  What the residuals up to λ^N leave open, a coordinate that is
-settled late (see :mod:`ftseries.stages`), is found by solving the last orders again.  Free
-parameters get random rational values.
+Method.  The residuals of coefficients U_0, …, U_N that claim to solve a problem are looked at at
+one phase, every order up to λ^N (:mod:`ftseries.phases`).  Then the first orders are solved again
+exactly, and the last ones in the arithmetic of the coefficients (exact ones as balls of 128 bits,
+free parameters at random rational values), for what those residuals leave open: a coordinate that
+is settled late, see :mod:`ftseries.stages`.
 """
 
 from __future__ import annotations
@@ -20,11 +19,13 @@ from tqdm import tqdm
 
 from .aliases import Coefficients, Number
 from .conversion import at
+from .degrees import highest
 from .errors import UndeterminedError
 from .grid import FloatRing
 from .laurent import BallRing, RationalRing, SurdRing
 from .linear import REACH, LinearPart
-from .stages import LATEST, Stages, _scale, contradiction
+from .phases import unsatisfied
+from .stages import LATEST, Stages
 
 if TYPE_CHECKING:
     from .problem import Problem
@@ -32,8 +33,8 @@ if TYPE_CHECKING:
 
 __all__ = ["fault"]
 
-#: orders whose equations are looked at first; bits for exact coefficients
-_FIRST, _BITS = 8, 128
+#: bits for exact coefficients
+_BITS = 128
 #: random values of free parameters are multiples of 1/_POINTS in (0, 1)
 _POINTS = 2**20
 
@@ -53,7 +54,7 @@ def fault(problem: Problem, arithmetic: str, coefficients: Coefficients,
     for late in LATEST:
         try:
             with np.errstate(all="ignore"), ctx.workprec(precision or _BITS):
-                return _Check(problem, arithmetic, coefficients, late).fault()
+                return _Check(problem, arithmetic, coefficients, precision, late).fault()
         except UndeterminedError:
             if late == LATEST[-1]:
                 raise
@@ -62,15 +63,16 @@ def fault(problem: Problem, arithmetic: str, coefficients: Coefficients,
 
 class _Check:
     def __init__(self, problem: Problem, arithmetic: str, coefficients: Coefficients,
-                 late: int) -> None:
-        self.problem, self.arithmetic, self.late = problem, arithmetic, late
+                 precision: int | None, late: int) -> None:
+        self.problem, self.arithmetic, self.coefficients = problem, arithmetic, coefficients
+        self.precision, self.late = precision, late
         self.top = min(map(len, coefficients.values())) - 1
         point = {name: fmpq(random.SystemRandom().randrange(1, _POINTS), _POINTS)
                  for name in problem.parameters}
         self.exact: Ring = (_SurdAt if problem.surd else _RationalAt)(point)
         reach = self.top + late + REACH
-        self.ring = _BallsAt(point) if arithmetic != "float" else \
-            FloatRing(degree=reach + problem.ahead, order=reach)
+        self.ring = _BallsAt(point) if arithmetic != "float" else FloatRing(
+            degree=highest(problem, reach) if problem.ahead else reach, order=reach)
         values = list(point.values())
         self.given = _converted({name: [{mode: at(c, values) for mode, c in row.items()}
                                         for row in rows] for name, rows in coefficients.items()},
@@ -78,9 +80,9 @@ class _Check:
 
     def fault(self) -> str | None:
         """A contradiction, or what solving the first and the last orders again gives otherwise."""
-        first = {name: rows[:_FIRST + 1] for name, rows in self.given.items()}
-        if found := contradiction(self.problem, self.ring, first, min(_FIRST, self.top)):
-            return self.contradicts(*found)
+        if found := unsatisfied(self.problem, self.arithmetic, self.coefficients,
+                                precision=self.precision):
+            return self.contradicts(found.equation, found.order)
         seed = self.problem.first_coefficients()
         order = max(self.top, *map(len, seed.values()))
         known = _converted(seed, self.exact)
@@ -110,7 +112,7 @@ class _Check:
         """The first coefficients that are not those ``found``."""
         found, zero = _converted(found, self.ring), self.ring.number(0)
         for m in orders:
-            size = max(_scale(stages.expansion, m + shift) for shift in stages.linear.shifts)
+            size = stages.sizes.get(m, 0.0)
             for name, rows in self.given.items():
                 row, other = rows[m], found[name][m]
                 if not all(self.ring.negligible(row.get(mode, zero) - other.get(mode, zero), size)
