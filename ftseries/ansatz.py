@@ -83,7 +83,7 @@ class Field:
     def has(self, mode: tuple[Any, ...]) -> bool:
         """Is this mode (sine, n) part of the ansatz?"""
         sine, n = mode if len(mode) == 2 else (None, None)
-        return (isinstance(n, int) and n >= 0 and sine in _SINES[self.series]
+        return (type(n) is type(sine) is int and n >= 0 and sine in _SINES[self.series]
                 and in_parity(self.modes, n) and (n > 0 or not sine))
 
     def is_fixed(self, mode: Mode) -> bool:

@@ -1,4 +1,4 @@
-"""Numbers of the rings as SymPy numbers, floats, mpmath numbers and balls."""
+"""Numbers, of the rings and of users, as SymPy numbers, floats, mpmath numbers and balls."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ import sympy as sp
 from flint import arb, fmpq
 
 from .aliases import Expr, Number
-from .arguments import decimal
+from .arguments import DIGITS, decimal, shown
 from .errors import InputError
 
-__all__ = ["to_sympy", "to_float", "to_mpf", "to_ball", "in_fractions", "at",
-           "numeric_unit", "float_unit"]
+__all__ = ["to_sympy", "to_float", "to_mpf", "to_ball", "in_fractions", "at", "precise",
+           "symbolic", "numeric_unit", "float_unit"]
 
 
 def to_sympy(number: Number, names: Sequence[str | Expr]) -> Expr:
@@ -33,7 +33,30 @@ def in_fractions(e: Expr) -> Expr:
     >>> in_fractions(0.3 * sp.Symbol("x"))
     3*x/10
     """
-    return e.xreplace({x: to_sympy(decimal(x), ()) for x in e.atoms(sp.Float)})
+    e = e.xreplace({x: to_sympy(decimal(x), ()) for x in e.atoms(sp.Float)})
+    if any(max(x.p.bit_length(), x.q.bit_length()) > DIGITS * math.log2(10)
+           for x in e.atoms(sp.Rational)):
+        raise InputError(f"{shown(e)} contains a number of more than {DIGITS} digits; give shorter "
+                         "numbers")
+    return e
+
+
+def symbolic(x: Any) -> Expr:
+    """A number, or a SymPy expression as it is; a float is the decimal that it looks like.
+
+    >>> from flint import fmpq
+    >>> symbolic(0.1), symbolic(fmpq(1, 3)), symbolic(sp.sqrt(2))
+    (1/10, 1/3, sqrt(2))
+    """
+    if isinstance(x, sp.Expr):
+        return in_fractions(x)
+    try:
+        if isinstance(x, (bool, sp.Basic)):
+            raise InputError
+        return to_sympy(decimal(x), ())
+    except InputError as error:
+        why = f" ({error})" if error.args else ""
+        raise InputError(f"{shown(x)} is not a number or a SymPy expression{why}") from None
 
 
 def to_float(number: Number) -> float:
@@ -82,6 +105,23 @@ def to_ball(unit: Expr) -> arb:
             product *= to_ball(factor)
         return product
     raise InputError(f"the unit {unit} is not a product of powers of rationals")
+
+
+def precise(x: Any) -> Any:
+    """A number that a user gives, in mpmath's working precision.
+
+    A float is the decimal that it looks like, mpmath's numbers keep their bits, and π and √2 have
+    all their digits.
+
+    >>> with mpmath.workdps(30):
+    ...     print(precise(0.1), precise(sp.sqrt(2)))
+    0.1 1.41421356237309504880168872421
+    """
+    if isinstance(x, mpmath.mpf):
+        return +x
+    if isinstance(x, sp.Expr) and not isinstance(x, (sp.Rational, sp.Float)):
+        return mpmath.mpmathify(x.evalf(mpmath.mp.dps))
+    return to_mpf(decimal(x))
 
 
 def at(number: Number, point: Sequence[fmpq]) -> Number:

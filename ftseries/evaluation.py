@@ -16,15 +16,16 @@ import mpmath
 import numpy as np
 
 from .aliases import Array, ArrayLike, Mode, Real
-from .arguments import real, whole
+from .arguments import real, shown, whole
+from .conversion import precise
 from .errors import ConvergenceWarning, InputError
 from .problem import Scalar
 
 if TYPE_CHECKING:
     from .problem import Field, Problem
 
-__all__ = ["SMALL", "amplitudes", "broadcastable", "doubt", "fourier_sum", "motion", "mp_evaluate",
-           "radius_estimate", "times", "unknown", "warn"]
+__all__ = ["SMALL", "amplitudes", "broadcastable", "check_lam", "doubt", "fourier_sum",
+           "motion", "mp_evaluate", "radius_estimate", "times", "unknown", "warn"]
 
 #: terms beyond this part of the largest ones before them are not small: above what good sums of
 #: low order leave, below 1, where the terms grow
@@ -109,6 +110,16 @@ def times(problem: Problem, name: str, t: ArrayLike | None, order: int) -> Array
     return t
 
 
+def check_lam(problem: Problem, name: str, t: Any, positional: tuple[Any, ...], lam: Any) -> None:
+    """Refuse a λ that is missing or stands without its name; the sentence shows the call."""
+    if lam is None or positional:
+        scalar = isinstance(unknown(problem, name), Scalar)
+        value = "…" if (t is None if scalar else not positional) else shown(
+            t if scalar else positional[0])
+        raise InputError(f"λ is given by its name: evaluate({name!r}, {'' if scalar else 't, '}"
+                         f"lam={value})")
+
+
 def radius_estimate(table: FloatTable, algebraic: bool = True) -> float | None:
     """The radius of convergence that the last two thirds of the coefficients suggest.
 
@@ -185,22 +196,17 @@ def mp_evaluate(table: MpTable, frequency: list[Callable[[], Any]] | None, t: An
     """The same as :func:`motion` with mpmath numbers, from functions of the working precision."""
     with mpmath.workdps(dps + 10):
         def value(time: Any, parameter: Any) -> Any:
-            parameter = _mpf(parameter)
+            parameter = precise(parameter)
             rows = {mode: mpmath.polyval([c() for c in row[::-1]], parameter)
                     for mode, row in table.items()}
             omega = mpmath.mpf(1) if frequency is None else mpmath.polyval(
                 [c() for c in frequency[::-1]], parameter)
-            tau = omega * _mpf(time)
+            tau = omega * precise(time)
             return omega**order * mpmath.fsum(a * (mpmath.sin if sine else mpmath.cos)(n * tau)
                                               for (sine, n), a in derivative(rows, order).items())
         result = np.frompyfunc(value, 2, 1)(np.asarray(t, object), np.asarray(lam, object))
     with mpmath.workdps(dps):
         return np.frompyfunc(lambda x: +x, 1, 1)(result)
-
-
-def _mpf(x: Any) -> Any:
-    """A number in the working precision; SymPy may hold it exactly."""
-    return mpmath.mpmathify(x.evalf(mpmath.mp.dps) if hasattr(x, "evalf") else x)
 
 
 def broadcastable(**values: Any) -> dict[str, Array]:

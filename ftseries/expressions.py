@@ -33,8 +33,8 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from .aliases import Expr
-from .arguments import decimal
-from .conversion import in_fractions, to_sympy
+from .arguments import decimal, shown
+from .conversion import in_fractions, symbolic, to_sympy
 from .errors import InputError
 
 __all__ = ["FUNCTIONS", "BoundError", "Reader", "by_name", "checked", "differentiated",
@@ -68,9 +68,9 @@ def quoted(source: Any) -> str:
     """
     if isinstance(source, sp.Basic) and not _is_short(source):
         return f"a long SymPy expression of type {type(source).__name__}"
-    text = source if isinstance(source, str) else repr(source)
-    short = text if len(repr(text)) <= 240 else text[:60] + "…"
-    return repr(short) if isinstance(source, str) else short
+    if not isinstance(source, str):
+        return shown(source).rstrip(".")
+    return repr(source if len(repr(source)) <= 240 else source[:60] + "…")
 
 
 def _is_short(e: sp.Basic) -> bool:
@@ -415,6 +415,8 @@ def expression(x: Any) -> Expr:
     >>> expression("2*sqrt(3)/a"), expression(0.1)
     (2*sqrt(3)/a, 1/10)
     """
+    if not isinstance(x, (str, sp.Basic)):
+        return symbolic(x)
     reader = _Number()
     e = None
     try:

@@ -19,7 +19,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from .aliases import Array, Exact, Modes, Multiplier, Number, Parts, Terms
-from .arguments import rational
+from .arguments import quotient, rational
 from .errors import InputError
 from .trig import Ring, Trig
 
@@ -49,8 +49,7 @@ class FloatRing(Ring):
     def number(self, x: Exact) -> float:
         if isinstance(x, float):
             return x
-        x = rational(x)
-        return int(x.p) / int(x.q)
+        return quotient(rational(x))
 
     def part(self, kind: int, modes: dict[int, Number]) -> Array:
         coefficients = np.zeros(self.points)

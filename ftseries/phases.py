@@ -242,7 +242,7 @@ def unsatisfied(problem: Problem, arithmetic: str, coefficients: Coefficients,
     order = min(map(len, coefficients.values())) - 1
     top = order + max(shifts or [0])
     bits, count = precision or _BITS[arithmetic], 1
-    while bits <= _MOST_BITS:
+    while bits <= max(_MOST_BITS, precision or 0):
         try:
             with _series_of(top, bits):
                 phases, found = _residuals(problem, coefficients, top, count)

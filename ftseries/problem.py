@@ -229,7 +229,7 @@ class Problem:
             try:
                 plain, doubled, *both = (self._sample({name: factor}, clock) for factor, clock
                                          in ((1, 1), (2, 1), (2, 0.5), (2, 0.5**0.5)))
-            except AttributeError:                       # something that only series have
+            except (AttributeError, InputError):   # what only series have, or beyond the floats
                 return
             if any(np.allclose(plain, values, 1e-9) for values in both) \
                     and not np.allclose(plain, doubled, 1e-9):

@@ -18,7 +18,7 @@ from .arguments import real, scalar
 from .collocation import Collocation, fixed_modes
 from .conversion import float_unit
 from .errors import InputError, SolveError
-from .evaluation import motion, times
+from .evaluation import check_lam, motion, times
 from .problem import Scalar
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ class Orbit:
         return (f"<Orbit of {self.problem!r} at λ = {self.lam:.15g}, residual {self.residual:.1e}, "
                 f"{self.steps} steps>")
 
-    def evaluate(self, name: str, t: ArrayLike | None = None, *, lam: Any = None,
+    def evaluate(self, name: str, t: ArrayLike | None = None, *positional: Any, lam: Any = None,
                  derivative: int = 0) -> Real:
         """The value of an unknown, or a derivative in t, as :meth:`ftseries.Solution.evaluate`.
 
@@ -70,6 +70,7 @@ class Orbit:
         >>> abs(orbit.evaluate("x", 0, derivative=1)) < 1e-12              # at rest at t = 0
         True
         """
+        check_lam(self.problem, name, t, positional, self.lam)
         if lam is not None and not np.allclose(real("lam", lam), self.lam, rtol=1e-12, atol=0):
             raise InputError(f"lam={lam!r}: this orbit has λ = {self.lam!r}; refine the series at "
                              "another λ for another orbit")

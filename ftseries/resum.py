@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from flint import arb, ctx
@@ -19,7 +19,7 @@ from .analysis import Estimate, pade
 from .arguments import real, scalar, scalars
 from .conversion import float_unit, to_ball
 from .errors import InputError, PrecisionWarning
-from .evaluation import motion, times, unknown, warn
+from .evaluation import check_lam, motion, times, unknown, warn
 from .problem import Scalar
 
 if TYPE_CHECKING:
@@ -112,8 +112,8 @@ class Resummed:
         return {mode: unit * lam**first * approximant(lam**step)
                 for mode, (step, first, approximant) in self.approximants(name).items()}
 
-    def evaluate(self, name: str, t: ArrayLike | None = None, *, lam: ArrayLike,
-                 derivative: int = 0) -> Real:
+    def evaluate(self, name: str, t: ArrayLike | None = None, *positional: Any,
+                 lam: Any = None, derivative: int = 0) -> Real:
         """The value of an unknown, or a derivative in t, as :meth:`ftseries.Solution.evaluate`.
 
         Warns
@@ -121,6 +121,7 @@ class Resummed:
         ConvergenceWarning
             The truncated series is no approximation at λ, and :meth:`error` is not small either.
         """
+        check_lam(self.problem, name, t, positional, lam)
         t = real("t", times(self.problem, name, t, derivative))
         sums = {which: self.amplitudes(which, lam) for which in self.solution._summed(name)}
         self._refuse_poles(name, sums[name], lam)

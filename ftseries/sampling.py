@@ -16,7 +16,7 @@ from flint import fmpq
 from numpy.typing import NDArray
 
 from .aliases import ArrayLike, Exact
-from .arguments import rational
+from .arguments import quotient, rational
 from .errors import InputError
 from .function import Function
 
@@ -41,8 +41,7 @@ class Samples:
     def constant(self, number: Any) -> Sampled:
         """A number, or an array of them along leading axes."""
         if not isinstance(number, (int, float, complex, np.ndarray, np.number)):
-            number = rational(number)
-            number = int(number.p) / int(number.q)
+            number = quotient(rational(number))
         return Sampled(self, (np.asarray(number) + 0.0)[..., None])
 
     def parameter(self, name: str) -> Sampled:

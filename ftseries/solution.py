@@ -12,12 +12,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import sympy as sp
 from flint import arb, ctx
 
 from . import display, storage
 from .aliases import FilePath, Number
-from .arguments import whole
+from .arguments import shown, whole
 from .conversion import float_unit, numeric_unit, to_ball, to_sympy
 from .errors import InputError
 from .evaluation import unknown
@@ -65,7 +66,7 @@ class Solution(Quality):
         *orders : int
             Fourier order n and Taylor order m; for a scalar unknown the Taylor order alone.
         sine : bool, optional
-            Choose sine or cosine where the unknown has both.
+            Choose sine or cosine where the unknown has both; a scalar has none.
 
         Returns
         -------
@@ -83,6 +84,9 @@ class Solution(Quality):
         if len(orders) != (1 if scalar else 2):
             raise InputError(f"{name!r} takes {'its Taylor order m' if scalar else 'n and m'}: "
                              f"coefficient({name!r}, {'m' if scalar else 'n, m'}), not {orders!r}")
+        if sine is not None and not isinstance(sine, (bool, np.bool_)) or scalar and sine:
+            raise InputError(f"sine={shown(sine)}: " + (f"{name!r} has no sines; leave it out"
+                             if scalar else "say sine=True or sine=False, or leave it out"))
         n, m = [0, *(whole(index, order) for index, order in zip("nm"[scalar:], orders))][-2:]
         if m > self.order:
             raise InputError(f"{name!r} is known to order {self.order}, not to {m}; solve again "
@@ -134,6 +138,11 @@ def _restored(problem: Problem, arithmetic: str, order: int, coefficients: Any,
 def load(path: FilePath, problem: Problem | None = None) -> Solution:
     """Read a solution written by :meth:`Solution.save`.
 
+    The file may come from a stranger: what it holds is checked to be a solution of its problem,
+    every order of the equations, the first coefficients (the seed), the ansatz, types and ranges.
+    Where the problem has free parameters, the equations are checked at one point of random values
+    of them.  Long exact series take half the time of their solve, others about the same time.
+
     Parameters
     ----------
     path : str or path
@@ -144,7 +153,8 @@ def load(path: FilePath, problem: Problem | None = None) -> Solution:
     Raises
     ------
     FileError
-        The file is missing, damaged, or of another kind.
+        The file is missing, damaged, of another kind, larger than 64 MB, has Fourier orders above
+        1000 or more than 100000 bits, or holds no solution of the problem.
 
     Examples
     --------

@@ -47,7 +47,7 @@ if TYPE_CHECKING:
     from .problem import Problem
     from .trig import Ring
 
-__all__ = ["LATEST", "Stages", "contradiction"]
+__all__ = ["LATEST", "Stages"]
 
 #: what is to be added to the unknowns, by Taylor order
 Changes: TypeAlias = dict[int, dict[Column, Number]]
@@ -288,22 +288,6 @@ class Stages:
             f"equation {self.linear.names[e]} is non-linear in the coefficients that it has to "
             f"determine at order {k + self.linear.shifts[e]} of λ, and correcting them does not "
             "end; a longer seed chooses one of its solutions, if it has any")
-
-
-def contradiction(problem: Problem, ring: Ring, known: Coefficients,
-                  top: int) -> tuple[str, int] | None:
-    """(equation, order) of the first residual up to order ``top`` that does not vanish."""
-    expansion = Expansion(ring)
-    unknowns = {name: expansion.polynomial(rows) for name, rows in known.items()}
-    residuals = problem.residuals(expansion.lam, unknowns)
-    for k in range(top + 1):
-        rows = {name: residual[k].modes() for name, residual in residuals.items()}
-        scale = _scale(expansion, k)
-        for name, row in rows.items():
-            if not all(ring.negligible(c, scale) for (_, n), c in row.items()
-                       if ring.exact or n <= k + problem.ahead):
-                return name, k
-    return None
 
 
 def _scale(expansion: Expansion, order: int) -> float:

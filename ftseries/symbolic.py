@@ -278,9 +278,9 @@ def _declared(key: str, unknown: Any) -> Field | Scalar:
 def _value(name: str, value: Any) -> Expr:
     try:
         number = decimal(expression(value) if isinstance(value, str) else value)
-    except InputError:
+    except InputError as error:
         raise InputError(f"the parameter {name} has the value {quoted(value)}, which is not a "
-                         "rational number; give an int, a Fraction or a float") from None
+                         f"rational number; give an int, a Fraction or a float ({error})") from None
     return sp.Rational(int(number.p), int(number.q))
 
 

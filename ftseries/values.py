@@ -18,7 +18,7 @@ from flint import fmpq
 
 from . import evaluation
 from .aliases import Array, ArrayLike, Coefficients, Mode, Number, Real
-from .arguments import rational, scalars, whole
+from .arguments import computed, scalars, whole
 from .conversion import at, float_unit, to_float, to_mpf
 from .errors import InputError, PrecisionWarning
 from .problem import Scalar
@@ -42,8 +42,9 @@ class Values:
         self._table = lru_cache(maxsize=64)(self._make_table)
         self._scale = lru_cache(maxsize=64)(self._make_scale)
 
-    def evaluate(self, name: str, t: ArrayLike | None = None, *, lam: ArrayLike,
-                 dps: int | None = None, derivative: int = 0, **parameters: ArrayLike) -> Real:
+    def evaluate(self, name: str, t: ArrayLike | None = None, *positional: Any,
+                 lam: ArrayLike | None = None, dps: int | None = None, derivative: int = 0,
+                 **parameters: ArrayLike) -> Real:
         """The value of an unknown at times t and parameter λ.
 
         Parameters
@@ -53,10 +54,11 @@ class Values:
         t : array_like
             Times; the phase is ωt where the problem has an unknown frequency.
         lam : array_like
-            The series parameter; broadcasts with ``t``.
+            The series parameter, given by its name; broadcasts with ``t``.
         dps : int, optional
             Decimal digits; the result then consists of mpmath numbers.  Python prints as many of
-            them as ``mpmath.mp.dps`` says; ``mpmath.nstr(value, dps)`` shows all.
+            them as ``mpmath.mp.dps`` says; ``mpmath.nstr(value, dps)`` shows all.  A float is the
+            decimal that it looks like, ``lam=0.1`` is a tenth; of mpmath's numbers all bits count.
         derivative : int
             Of a field, its derivative of this order in the time t, for example 1 for the velocity.
         **parameters
@@ -83,6 +85,7 @@ class Values:
         >>> round(sol.evaluate("x", 0.3, lam=0.5, derivative=1), 10)                 # x'(0.3)
         -1.3518076837
         """
+        evaluation.check_lam(self.problem, name, t, positional, lam)
         t = evaluation.times(self.problem, name, t, derivative)
         self._check_parameters(parameters)
         values = evaluation.broadcastable(t=t, lam=lam, **parameters)
@@ -114,7 +117,7 @@ class Values:
 
     def _point(self, parameters: Mapping[str, Any]) -> list[fmpq]:
         """The values of the free parameters, in their order, as rationals."""
-        return [rational(parameters[p]) for p in self.problem.parameters]
+        return [computed(parameters[p]) for p in self.problem.parameters]
 
     def _make_table(self, name: str, parameters: Point) -> dict[Mode, Array]:
         """The coefficients in the solver's units, in which they grow least."""

@@ -2,12 +2,14 @@
 
 import re
 import warnings
+from decimal import Decimal
 from fractions import Fraction
 from math import comb
 
 import mpmath
 import numpy as np
 import pytest
+from flint import fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 from sample_problems import Duffing
@@ -173,13 +175,33 @@ def test_the_working_precision_of_mpmath_is_left_alone(cubic):
 
 
 def test_exact_input_is_used_exactly(cubic):
-    """A text, a SymPy number and mpmath digits mean the same; the float 0.1 is another number."""
+    """A text, a fraction and the float 0.1 mean a tenth, in every library but mpmath."""
     import sympy as sp
     with mpmath.workdps(40):
         values = [cubic.evaluate("omega", lam=lam, dps=40)
-                  for lam in ("0.1", sp.Rational(1, 10), mpmath.mpf("0.1"))]
-        assert max(values) - min(values) < mpmath.mpf("1e-39")
-        assert abs(cubic.evaluate("omega", lam=0.1, dps=40) - values[0]) > mpmath.mpf("1e-20")
+                  for lam in ("0.1", sp.Rational(1, 10), 0.1, np.float64(0.1),
+                              np.float32(0.1), sp.Float(0.1), Fraction(1, 10), Decimal("0.1"),
+                              fmpq(1, 10))]
+        assert len(set(values)) == 1
+        assert abs(cubic.evaluate("omega", lam=mpmath.mpf("0.1"), dps=40) - values[0]) < 1e-39
+        bits = fmpq(*(0.1).as_integer_ratio())                    # the float as a binary number
+        binary = cubic.evaluate("omega", lam=bits, dps=40)
+        assert abs(binary - values[0]) > mpmath.mpf("1e-20")
+        assert cubic.evaluate("omega", lam=mpmath.mpf(0.1), dps=40) == binary
+
+
+def test_numerical_derivatives_in_lambda_and_mu():
+    """mpmath differentiates with tiny binary steps: they have to arrive as they are."""
+    solution = fts.solve(fts.GeneralizedMathieu(), 8)
+    with mpmath.workdps(40):
+        def a(lam, mu=0):
+            return solution.evaluate("a", lam=lam, mu=mu, dps=mpmath.mp.dps)
+
+        slope, curve = mpmath.diff(a, 0), mpmath.diff(a, 0, 2)
+        by_mu = mpmath.diff(a, (1, 0), (0, 1))
+        assert abs(slope) < 1e-25 and abs(curve + 1) < 1e-20           # a = 1 - λ²/2 + …
+        exact = sum(solution.coefficient("a", m).diff("mu").subs("mu", 0) for m in range(9))
+        assert abs(by_mu - mpmath.mpf(exact.p) / exact.q) < 1e-20
 
 
 def test_a_scalar_over_an_array(cubic):

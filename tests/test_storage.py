@@ -3,6 +3,11 @@
 import json
 import os
 import random
+import re
+import time
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from fractions import Fraction
+from pathlib import Path
 
 import flint
 import pytest
@@ -293,6 +298,302 @@ def test_a_file_executes_nothing(tmp_path):
     with pytest.raises(FileError, match="not a number or a SymPy expression"):
         fts.load(path)
     assert not trace.exists()
+
+
+# --- what a stranger may send -------------------------------------------------------------------
+
+DATA = Path(__file__).parent / "data"
+
+
+@pytest.mark.parametrize("kind, text", [
+    ("exact", "<Solution of CubicOscillator(a=sqrt(3)/2), order 6, exact>"),
+    ("parameters", "<Solution of GeneralizedMathieu(branch=a2), order 8, exact>"),
+    ("float", "<Solution of FigureEight(exponent=0), order 8, float>"),
+    ("ball", "<Solution of FigureEight(), order 6, ball, precision=100>"),
+    ("equations", "<Solution of Equations(x - x'*(lam**2 - x**2) + x'' = 0), order 6, exact>"),
+])
+def test_files_of_version_0_1(kind, text):
+    """Written by version 0.1.0; the coefficients are those of today."""
+    solution = fts.load(DATA / f"{kind}.json")
+    assert repr(solution) == text
+    again = fts.solve(solution.problem, solution.order, solution.arithmetic,
+                      precision=solution.precision or 128)
+    for name, rows in again.coefficients.items():
+        for m, row in enumerate(rows):
+            for mode, c in row.items():
+                old = solution.coefficients[name][m].get(mode, 0)
+                if kind == "ball":
+                    assert c.overlaps(old)
+                else:
+                    assert c == old or kind == "float" and abs(c - old) < 1e-15
+
+
+def altered(path, change):
+    """Change a file by a function of its contents, and renew the checksum."""
+    from ftseries.jsonfile import digest
+    data = json.loads(path.read_text())
+    data.pop("sha256")
+    change(data)
+    path.write_text(json.dumps(data | {"sha256": digest(data)}))
+    return path
+
+
+def at(*keys):
+    """A function that sets an entry of nested lists and dicts."""
+    def change(data):
+        for key in keys[:-2]:
+            data = data[key]
+        data[keys[-2]] = keys[-1]
+    return change
+
+
+#: those whose last coefficients are settled late: ω in the cubic, A_{0,2m} in the eight
+LATE = {"cubic": fts.CubicOscillator, "eight": fts.FigureEight,
+        "Mathieu": lambda: fts.GeneralizedMathieu("1/3"), "symbolic": fts.GeneralizedMathieu}
+
+
+@pytest.mark.parametrize("kind, arithmetic", [("symbolic", "exact")] + [
+    (kind, arithmetic) for kind in ("cubic", "eight", "Mathieu")
+    for arithmetic in ("exact", "float", "ball")])
+@pytest.mark.parametrize("order", [8, 30])
+def test_every_order_counts(tmp_path, kind, arithmetic, order):
+    """Coefficients of the last orders are altered by a thousandth, one at a time: all refused."""
+    path, exact = tmp_path / "s.json", fts.solve(LATE[kind](), order).coefficients
+    fts.solve(LATE[kind](), order, arithmetic).save(path)
+    contents = path.read_text()
+    assert fts.load(path).order == order
+    tried = 0
+    for name, rows in json.loads(contents)["coefficients"].items():
+        for m in range(order - 3, order + 1):
+            sizes = [abs(size(c[2])) for c in rows[m]]
+            for i, (sine, n, c) in enumerate(rows[m]):
+                if (sine, n) not in exact[name][m] or not sizes[i] > 1e-3 * max(sizes) or \
+                        order == 30 and sizes[i] < max(sizes):
+                    continue                    # in floats a small one may be rounding
+                tried += 1
+                altered(path, at("coefficients", name, m, i, 2, wrong(c)))
+                with pytest.raises(FileError, match="contradict|differ"):
+                    fts.load(path)
+                path.write_text(contents)
+    assert tried > 2
+
+
+def size(c):
+    """The size of a number as files have it, or of one term of a polynomial."""
+    if isinstance(c, dict):
+        return max(map(size, c.values()))
+    return float(c if isinstance(c, float) else Fraction(c) if isinstance(c, str)
+                 else int(c[0]) * Fraction(2) ** int(c[1]))
+
+
+def wrong(c):
+    """The number, a thousandth larger; of a polynomial, its first term."""
+    if isinstance(c, dict):
+        key = next(iter(c))
+        return c | {key: wrong(c[key])}
+    if isinstance(c, list):
+        return [str(int(c[0]) * 1001), str(int(c[1]) - 10), *c[2:]] if int(c[0]) else c
+    return c * 1.001 if isinstance(c, float) else str(Fraction(c) * Fraction(1001, 1000))
+
+
+def test_a_coefficient_is_compared_to_its_last_digits(tmp_path):
+    """An exact number is altered by one part in 10^30."""
+    path = tmp_path / "s.json"
+    fts.solve(fts.CubicOscillator(), 20).save(path)
+    c = json.loads(path.read_text())["coefficients"]["omega"][20][0][2]
+    c = str(Fraction(c) * (1 + Fraction(1, 10**30)))
+    altered(path, at("coefficients", "omega", 20, 0, 2, c))
+    with pytest.raises(FileError, match="contradict|differ"):
+        fts.load(path)
+
+
+@pytest.mark.parametrize("branch", ["a1", "b3", "b900"])
+def test_another_branch_of_mathieu(tmp_path, branch):
+    path = tmp_path / "b1.json"
+    fts.solve(fts.GeneralizedMathieu(0), 6).save(path)
+    altered(path, at("problem", "arguments", "branch", branch))
+    with pytest.raises(FileError, match="not those of the seed of Generalized.* for another seed"):
+        fts.load(path)
+
+
+@pytest.mark.parametrize("arithmetic", ["exact", "float", "ball"])
+def test_another_seed(tmp_path, arithmetic):
+    """x'' + 2x = λ cos 3t begins with -λ/7 cos 3t: no float and no ball is exactly that."""
+    problem = fts.Equations("x'' + 2*x = lam*cos(3*t)", unknowns={"x": fts.Field("cos")}, ahead=2)
+    path = tmp_path / "s.json"
+    fts.solve(problem, 7, arithmetic).save(path)
+    assert fts.load(path).arithmetic == arithmetic
+    altered(path, at("problem", "arguments", "seed", {"x": "-lam*cos(3*t)/8"}))
+    with pytest.raises(FileError, match="seed"):
+        fts.load(path)
+
+
+@pytest.mark.parametrize("mode", [[1, 3], [0, 2], [0, 5], [0, 10**9], [0, -1], [2, 1], [0, 1]])
+def test_modes_outside_the_ansatz(tmp_path, mode):
+    """A sine in a cosine series, an even mode in an odd one, n > m, the fixed amplitude."""
+    path = tmp_path / "duffing.json"
+    fts.solve(Duffing(), 3).save(path)
+    altered(path, at("coefficients", "x", 3, 0, [*mode, "1/32"]))
+    with pytest.raises(FileError, match="which the ansatz of Duffing.* leaves out"):
+        fts.load(path)
+
+
+@pytest.mark.parametrize("arithmetic, change, words", [
+    ("exact", at("order", 3.0), "order=3.0: give a whole"),
+    ("exact", at("order", "3"), "order='3'"), ("exact", at("order", True), "order=True"),
+    ("exact", at("order", 10**9), "hold Fourier orders up to 1000"),
+    ("exact", at("precision", 128), "precision=128 in exact"),
+    ("float", at("precision", 53), "precision=53 in float"),
+    ("ball", at("precision", None), "precision=None in ball"),
+    ("ball", at("precision", 1), "precision=1: give"), ("ball", at("precision", 99.5), "99.5"),
+    ("ball", at("precision", True), "precision=True"), ("ball", at("precision", "9"), "'9'"),
+    ("ball", at("precision", 10**9), "up to 100000 bits"),
+    ("exact", at("arithmetic", ["exact"]), "is none that"),
+    ("exact", at("coefficients", "y", [[], [], [], []]), "unknowns of Duffing.* are x, omega"),
+    ("exact", at("coefficients", "x", 3, 0, [False, 3, "1/32"]), "not two integers"),
+    ("exact", at("coefficients", "x", 3, 0, [0, 3.0, "1/32"]), "not two integers"),
+    ("exact", at("coefficients", "x", 3, [[0, 3, "1/32"], [0, 3, "1/32"]]), "occurs twice"),
+    ("exact", at("coefficients", "omega", 2, 0, 2, "1e999999999"), "not an exact number"),
+    ("exact", at("coefficients", "omega", 2, 0, 2, "0.375"), "not an exact number"),
+    ("exact", at("coefficients", "omega", 2, 0, 2, "٣/8"), "not an exact number"),
+    ("exact", at("coefficients", "omega", 2, 0, 2, "3/-8"), "not an exact number"),
+    ("exact", at("coefficients", "omega", 2, 0, 2, "1" * 100001), "more than 100000 digits"),
+    ("float", at("coefficients", "omega", 2, 0, 2, "0.375"), "not a float"),
+    ("float", at("coefficients", "omega", 2, 0, 2, True), "not a float"),
+    ("float", at("coefficients", "omega", 2, 0, 2, 1e308), "contradict"),
+    ("ball", at("coefficients", "omega", 2, 0, 2, ["3", "-3", "-1", "0"]), "not a ball of four"),
+    ("ball", at("coefficients", "omega", 2, 0, 2, ["3", "-3", "0"]), "not a ball of four"),
+    ("ball", at("coefficients", "omega", 2, 0, 2, ["3", "9" * 99, "0", "0"]), "not a ball of four"),
+    ("ball", at("coefficients", "omega", 2, 0, 2, [3, -3, 0, 0]), "not a ball of four"),
+    ("exact", at("problem", "name", ["Duffing"]), "is damaged"),
+    ("exact", at("problem", "arguments", []), "is damaged"),
+    ("exact", at("problem", {}), "'name' is missing"),
+])
+def test_types_and_ranges(tmp_path, arithmetic, change, words):
+    path = tmp_path / "duffing.json"
+    fts.solve(Duffing(), 3, arithmetic).save(path)
+    start = time.monotonic()
+    with pytest.raises(FileError, match=words) as caught:
+        fts.load(altered(path, change))
+    assert "\n" not in str(caught.value) and len(str(caught.value)) < 1000
+    assert time.monotonic() - start < 5
+
+
+@pytest.mark.parametrize("text, words", [
+    ('{"format": "ftseries", "format": "ftseries"}', "a key occurs twice"),
+    ('{"format": "ftseries", "version": 1, "x": NaN}', "damaged"),
+    ('{"format": "ftseries", "version": 1, "x": 1e999}', "damaged"),
+    ('{"format": "ftseries", "version": 1, "x": -Infinity}', "damaged"),
+    ('{"format": "ftseries", "version": true}', "version True"),
+    ('{"format": "ftseries", "version": 1.0}', "version 1.0"),
+    ('{"format": "ftseries", "version": 1, "x": ' + "[" * 900 + "]" * 900 + "}", "damaged"),
+    ('{"format": "ftseries", "version": 1, "x": ' + "[" * 10**6, "recursion"),
+    ('{"a":' * 10**6, "recursion"), ("9" * 10**6, "Exceeds the limit .4300 digits"),
+    ("\ufeff{}", "BOM"),
+])
+def test_damaged_deep_and_repeated(tmp_path, text, words):
+    path = tmp_path / "{odd}.json"
+    path.write_text(text, encoding="utf-8")
+    start = time.monotonic()
+    with pytest.raises(FileError, match=words) as caught:
+        fts.load(path)
+    assert "\n" not in str(caught.value) and time.monotonic() - start < 2
+
+
+def test_huge_files_are_not_read(tmp_path, monkeypatch):
+    path = tmp_path / "huge.json"
+    with open(path, "wb") as file:
+        file.truncate(10**12)                            # a hole: nothing is written
+    start = time.monotonic()
+    with pytest.raises(FileError, match="has more than 67108864 bytes, so it is not a saved"):
+        fts.load(path)
+    assert time.monotonic() - start < 5
+    monkeypatch.setattr("ftseries.jsonfile.LARGEST", 200)
+    with pytest.raises(FileError, match="files of up to 200 can be read again; truncate"):
+        fts.solve(Duffing(), 9).save(tmp_path / "d.json")
+
+
+def test_what_is_too_large_to_be_read_again_is_not_saved(tmp_path):
+    path = tmp_path / "s.json"
+    for solution in (fts.solve(Duffing(), 2, "ball", precision=100001),
+                     fts.solve(fts.GeneralizedMathieu(0, branch="b1001"), 1)):
+        with pytest.raises(FileError, match="files hold Fourier orders up to 1000 and up to 1000"):
+            solution.save(path)
+    assert not path.exists()
+
+
+def test_long_numbers_come_back(tmp_path):
+    """More than the 4300 digits that Python reads by itself."""
+    path = tmp_path / "s.json"
+    for solution in (fts.solve(fts.CubicOscillator(), 4, "ball", precision=30000),
+                     fts.solve(fts.Equations("x'' + x + k*x**3 = 0", frequency="omega", unknowns={
+                         "x": fts.Field("cos", fixed=(1,)), "omega": fts.Scalar()},
+                         parameters={"k": Fraction(1, 3**4000)}), 8)):
+        solution.save(path)
+        assert max(map(len, re.findall("[0-9]+", path.read_text()))) > 4300
+        assert fts.load(path).order == solution.order
+
+
+def test_arguments_come_back_as_json_has_them(tmp_path, forget_spring):
+    """A tuple is a list in a file; it still is the same problem."""
+    kind = spring(lambda x: x**3, arguments=lambda self: {"b": (self.b, {1: 2})})
+    solution = fts.solve(kind(2), 3)
+    solution.save(tmp_path / "s.json")
+    assert fts.load(tmp_path / "s.json", problem=kind(2)).order == 3
+
+
+def test_a_constructor_that_fails_is_told(tmp_path, forget_spring):
+    kind, path = spring(lambda x: x**3, **ARGUMENTS), tmp_path / "s.json"
+    fts.solve(kind(2), 3).save(path)
+
+    def fails(self, b):
+        raise MemoryError("too much")
+    kind.__init__ = fails
+    with pytest.raises(FileError, match=r"is damaged: MemoryError\('too much'\); save"):
+        fts.load(path)
+
+
+@pytest.mark.parametrize("path", ["a\0b", b"a\0b", "\ud800"])
+def test_names_that_no_file_has(path):
+    for attempt in (lambda: fts.load(path), lambda: fts.solve(Duffing(), 1).save(path)):
+        with pytest.raises(FileError, match="is not the name of a file"):
+            attempt()
+
+
+# --- writers and readers at once ----------------------------------------------------------------
+
+SECONDS = 15 if os.environ.get("FTSERIES_FUZZ") else 2
+
+
+def write_on(path, order, until):
+    solution, count = fts.solve(Duffing(), order), 0
+    while time.time() < until:
+        solution.save(path)
+        count += 1
+    return count
+
+
+def read_on(path, until):
+    count = 0
+    while time.time() < until:
+        assert fts.load(path).order in (1, 9)
+        count += 1
+    return count
+
+
+@pytest.mark.parametrize("kind", [ThreadPoolExecutor, ProcessPoolExecutor])
+def test_two_writers_and_a_reader(tmp_path, kind):
+    """No reader ever sees a damaged file, no writer fails, and nothing stays behind."""
+    path = tmp_path / "s.json"
+    fts.solve(Duffing(), 1).save(path)
+    with kind(3) as executor:
+        list(executor.map(abs, range(3)))                # they have started
+        until = time.time() + SECONDS
+        counts = [future.result() for future in (
+            executor.submit(write_on, path, 1, until), executor.submit(write_on, path, 9, until),
+            executor.submit(read_on, path, until))]
+    print("saved", counts[:2], "read", counts[2], "in", SECONDS, "s, damaged 0")
+    assert min(counts) > 0 and [p.name for p in tmp_path.iterdir()] == ["s.json"]
 
 
 # --- writing ------------------------------------------------------------------------------------

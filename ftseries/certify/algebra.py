@@ -27,6 +27,7 @@ from typing import TYPE_CHECKING, Any
 
 from flint import arb, ctx
 
+from .. import arguments
 from ..errors import FTSeriesError, InputError
 from ..laurent import BallRing
 
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     from ..trig import Trig
 
 __all__ = ["Enclosure", "NotProved", "at_least", "at_most", "decimal", "given", "largest_of",
-           "negative_power", "norm", "power_of_ten", "truncate", "upper"]
+           "negative_power", "norm", "power_of_ten", "truncate", "upper", "written"]
 
 RING = BallRing()
 
@@ -44,15 +45,32 @@ class NotProved(FTSeriesError):
 
 
 def given(name: str, value: Any) -> arb:
-    """A ball that contains a number, taken by its decimals: "0.1" is a tenth.
+    """A ball that contains a number, taken by its decimals: "0.1" and 0.1 are a tenth.
 
     >>> given("nu", "1.02").str(5, radius=False)
     '1.0200'
     """
     try:
-        return arb(str(value))
-    except ValueError:
-        raise InputError(f"{name}={value!r} is not a number") from None
+        return arb(arguments.decimal(value))
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from None
+
+
+def written(name: str, value: Any) -> str:
+    """The same number as a decimal text, for a certificate; refuses what is none, such as 1/3.
+
+    >>> written("nu", 1.02), written("lam", "2.50"), written("lam", 30)
+    ('1.02', '2.5', '30')
+    """
+    given(name, value)
+    x = arguments.decimal(value)
+    places = next((n for n in range(arguments.DIGITS) if 10**n % x.q == 0), None)
+    if places is None:
+        raise InputError(f"{name}={value} is not a decimal; give one, such as "
+                         f"{float(x.p) / float(x.q):.6g}")
+    text: str = (abs(x.p) * 10**places // x.q).str().rjust(places + 1, "0")
+    return "-" * bool(x < 0) + text[:len(text) - places] + "." * bool(places) \
+        + text[len(text) - places:]
 
 
 def upper(x: arb | int) -> arb:

@@ -30,7 +30,7 @@ from ..arguments import whole
 from ..errors import InputError
 from ..problems.figure_eight import is_gravitational
 from . import certificate
-from .algebra import NotProved, at_least, at_most, given, upper
+from .algebra import NotProved, at_least, at_most, given, upper, written
 from .convergence_bounds import GUESS, INVERSE, Matrix, Rows, block, prove
 from .eight import EightTheorem
 from .fourier_taylor import Integers, Space
@@ -99,7 +99,7 @@ class ConvergenceTheorem:
         if name not in self.sizes:
             raise InputError(f"{name!r} is not an unknown of the figure eight: 'r' or 'phi'")
         with ctx.workprec(PRECISION):
-            q = arb(str(lam)) / arb(self.lam)
+            q = given("lam", lam) / arb(self.lam)
             if not (q >= 0 and q <= 1):
                 raise InputError(f"lam={lam}: the theorem is about 0 ≤ λ ≤ {self.lam}")
             odd = int(name == "phi")
@@ -187,12 +187,12 @@ def prove_convergence(series: Any, lam: Exact = "2.08", modes: int = 40,
     modes = whole("modes", modes, 4)
     orders = orders if orders is None else whole("orders", orders, 1)
     with ctx.workprec(PRECISION):
-        kappa = given("lam", lam)
+        kappa = given("lam", lam := written("lam", lam))
         if not (kappa > 0 and kappa < 10):
             raise InputError(f"lam={lam}: the radius of the disc must be above 0 (and below 10)")
         space = Space(2 * modes, orders or series.order // 2 + 1)
         center, root, inverse = _guesses(series, float(kappa), space, modes, 4 * bool(orders))
-        return ConvergenceTheorem(lam=str(lam), center=center, root=root, inverse=inverse,
+        return ConvergenceTheorem(lam=lam, center=center, root=root, inverse=inverse,
                                   modes=modes, orders=space.orders,
                                   **prove(center, root, inverse, kappa, space, modes))
 

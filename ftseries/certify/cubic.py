@@ -25,7 +25,7 @@ import numpy as np
 from flint import arb, arb_mat, ctx, fmpq
 
 from ..aliases import Exact, FilePath
-from ..arguments import rational
+from ..arguments import decimal, whole
 from ..errors import InputError
 from ..problems.cubic import CubicOscillator
 from ..solver import solve
@@ -96,11 +96,11 @@ def cubic_bound(a: Exact, lam: Exact, order: int, precision: int = 256) -> Cubic
     Parameters
     ----------
     a, lam : int, str, Fraction or float
-        The parameters of (C1), (C2), taken exactly; both positive.
+        The parameters of (C1), (C2), taken exactly, a float by its decimals; both positive.
     order : int
         Taylor order of the truncated series.
     precision : int
-        Bits.
+        Bits, 53 to 100000.
 
     Raises
     ------
@@ -114,7 +114,8 @@ def cubic_bound(a: Exact, lam: Exact, order: int, precision: int = 256) -> Cubic
     >>> bound.amplitudes < 3e-21, bound.omega < 4e-22, bound.at(100) < 4e-20
     (True, True, True)
     """
-    a, lam = rational(a), rational(lam)
+    a, lam = decimal(a), decimal(lam)
+    order, precision = whole("order", order), whole("precision", precision, 53, 100_000)
     if not a > 0 or not lam > 0:
         raise InputError(f"a={a}, lam={lam}: both must be positive")
     scaled = lam / a
@@ -122,8 +123,8 @@ def cubic_bound(a: Exact, lam: Exact, order: int, precision: int = 256) -> Cubic
     modes = [fmpq(0)] * (order + 1)
     for m, row in enumerate(solution.coefficients["x"]):
         for (_, n), c in row.items():
-            modes[n] += rational(c) * scaled**m
-    root = sum((rational(c) * scaled**m for m, row in enumerate(solution.coefficients["omega"])
+            modes[n] += c * scaled**m
+    root = sum((c * scaled**m for m, row in enumerate(solution.coefficients["omega"])
                 for c in row.values()), fmpq(0))
     square = 12 * root**2
     with ctx.workprec(precision):

@@ -24,11 +24,11 @@ import numpy as np
 from flint import acb, arb, arb_mat, ctx
 
 from ..aliases import FilePath, Json
-from ..arguments import whole
+from ..arguments import scalar, whole
 from ..errors import InputError
 from ..problems.figure_eight import closure_zero, is_gravitational
 from . import certificate
-from .algebra import RING, Enclosure, at_least, at_most, given, largest_of, upper
+from .algebra import RING, Enclosure, at_least, at_most, given, largest_of, upper, written
 from .consequences import distance_from, initial_values, lambda_zero
 from .eight_bounds import entries, inverse_norm, residual_bound, z1_bound, z2_bound
 from .newton_kantorovich import Bounds, radius
@@ -123,7 +123,7 @@ def prove_eight(orbit: Any, lam: float | None = None, modes: int = 100, nu: Any 
     nu : str or number
         The weight ν of the norm, above 1.
     precision : int
-        Bits.
+        Bits, 53 to 100000.
 
     Raises
     ------
@@ -139,9 +139,10 @@ def prove_eight(orbit: Any, lam: float | None = None, modes: int = 100, nu: Any 
     """
     if not is_gravitational(orbit):
         raise InputError(f"{orbit!r} is not a figure eight under gravitation")
-    modes = whole("modes", modes, 4)
+    modes, precision = whole("modes", modes, 4), whole("precision", precision, 53, 100_000)
+    lam = None if lam is None else scalar("lam", lam)
     with ctx.workprec(precision):
-        weight = given("nu", nu)
+        weight = given("nu", nu := written("nu", nu))
         if not weight > 1:
             raise InputError(f"nu={nu}: the weight must be above 1")
         own = getattr(orbit, "lam", lam)
@@ -155,7 +156,7 @@ def prove_eight(orbit: Any, lam: float | None = None, modes: int = 100, nu: Any 
         distance = distance_from(orbit, lam, x, y, 2 * modes, low, high)
         positions, velocities = initial_values(u, low, weight)
         return EightTheorem(distance=distance, lam=lambda_zero(x, y, v, low), center=u,
-                            positions=positions, velocities=velocities, nu=str(nu), modes=modes,
+                            positions=positions, velocities=velocities, nu=nu, modes=modes,
                             precision=precision, root={n: c for (_, n), c in v.modes().items()},
                             **proved)
 

@@ -27,7 +27,7 @@ import numpy as np
 from flint import arb, arb_mat, ctx, fmpq
 
 from ..aliases import Array, Exact, FilePath
-from ..arguments import rational, whole
+from ..arguments import decimal, whole
 from ..errors import InputError
 from ..problems.mathieu import GeneralizedMathieu
 from . import certificate
@@ -114,7 +114,7 @@ def mathieu_eigenvalue(lam: Exact, mu: Exact = 0, digits: int = 30) -> Eigenvalu
     Parameters
     ----------
     lam, mu : int, str, Fraction or float
-        The parameters, taken exactly: write "-0.3" for -3/10.
+        The parameters, taken exactly; a float is the decimal that it looks like.
     digits : int
         Digits to be aimed at.
 
@@ -129,7 +129,7 @@ def mathieu_eigenvalue(lam: Exact, mu: Exact = 0, digits: int = 30) -> Eigenvalu
     >>> print(certify.mathieu_eigenvalue(2, "-0.3", digits=20).a.str(20, radius=False))
     -2.9959818288053853293
     """
-    lam, mu = rational(lam), rational(mu)
+    lam, mu = decimal(lam), decimal(mu)
     if not max(abs(lam), abs(mu)) < 10**12:
         raise InputError(f"lam={lam}, mu={mu}: both must be below 10^12 in size")
     digits = whole("digits", digits, 1, 1000)

@@ -243,6 +243,9 @@ def closure_zero(sol: Any, search: tuple[float, float] = (0.0, 4.0)) -> float:
     if np.shape(search) != (2,):
         raise InputError(f"search={search!r}: give the two ends of an interval of λ")
     low, high = real("search", search)
+    if not low < high:
+        raise InputError(f"search={search!r}: give the two ends of an interval, the lower one "
+                         "first")
     lam = np.linspace(low, high, 801)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ConvergenceWarning)       # the search goes past the zero

@@ -50,14 +50,14 @@ class GeneralizedMathieu(Problem):
     variable = "x"
 
     def __init__(self, mu: Any = None, branch: str = "b1") -> None:
-        if mu is None or mu == sp.Symbol("mu"):
+        if mu is None or isinstance(mu, sp.Symbol) and mu.name == "mu":
             self.mu, self.parameters = None, ("mu",)
         else:
             try:
                 self.mu = decimal(expression(mu) if isinstance(mu, str) else mu)
-            except InputError:
-                raise InputError(f"mu={quoted(mu)} is not a finite rational or float number; "
-                                 "leave it out to keep it as a symbol") from None
+            except InputError as error:
+                raise InputError(f"mu={quoted(mu)} is not a finite rational or float number; leave "
+                                 f"it out to keep it as a symbol ({error})") from None
         if not isinstance(branch, str) or not re.fullmatch(
                 r"a(0|[1-9][0-9]{,3})|b[1-9][0-9]{,3}", branch):
             raise InputError(f"branch={quoted(branch)}: give 'a0', 'a1', … or 'b1', 'b2', … up to "

@@ -6,8 +6,10 @@ from collections.abc import Callable
 from typing import Any
 
 import mpmath
+import numpy as np
+from flint import fmpq
 
-from ftseries.arguments import whole
+from ftseries.arguments import decimal, shown, whole
 from ftseries.errors import InputError
 
 GUARD = 10
@@ -15,19 +17,29 @@ GUARD = 10
 
 
 def number(name: str, value: Any) -> Any:
-    """`value` as an mpmath number at the working precision; a string gives all its digits.
+    """`value` as an mpmath number at the working precision, a float as the decimal it looks like.
 
     >>> number("lam", "0.5")
     mpf('0.5')
     """
     try:
-        converted = mpmath.mpmathify(value)
+        converted = mpmath.mpmathify(value) if _inexact(value) else _quotient(decimal(value))
         finite = mpmath.isfinite(converted)
     except (TypeError, ValueError):
-        raise InputError(f"{name}={value!r} is not a number, nor its digits") from None
+        raise InputError(f"{name}={shown(value)} is not a number, nor its digits") from None
     if not finite:
         raise InputError(f"{name} is NaN or infinite; give a finite number")
     return converted
+
+
+def _inexact(value: Any) -> bool:
+    """Is it a complex number, one of mpmath, or no number?"""
+    return isinstance(value, (complex, np.complexfloating, mpmath.mpc, mpmath.mpf)) \
+        or str(value).strip(" +-").lower() in ("nan", "inf", "infinity")
+
+
+def _quotient(q: fmpq) -> Any:
+    return mpmath.mpf(int(q.p)) / int(q.q)
 
 
 def in_digits(dps: Any, function: Callable[..., Any], *arguments: Any) -> Any:

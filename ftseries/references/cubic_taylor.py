@@ -23,7 +23,7 @@ import sympy
 from flint import fmpq, fmpq_series
 
 from ftseries.aliases import Exact, Expr
-from ftseries.arguments import whole
+from ftseries.arguments import decimal, whole
 from ftseries.errors import InputError
 
 __all__ = ["fourier_taylor", "frequency_squared_taylor", "frequency_taylor"]
@@ -91,7 +91,9 @@ def _rationals(series: Any, order: int) -> list[fmpq]:
 
 
 def _positive(a: Exact) -> Any:
-    a = sympy.sympify(a)
+    if not isinstance(a, sympy.Basic) or isinstance(a, sympy.Float):
+        q = decimal(a)
+        a = sympy.Rational(int(q.p), int(q.q))
     if not a.is_positive:
         raise InputError(f"a must be a positive number or Symbol('a', positive=True), not {a}.")
     return a

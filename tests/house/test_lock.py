@@ -1,7 +1,7 @@
 """The lock file: complete for this machine, and it names no server."""
 
 import re
-from importlib.metadata import requires
+from importlib.metadata import PackageNotFoundError, requires
 from pathlib import Path
 
 from packaging.markers import default_environment
@@ -14,7 +14,11 @@ LOCKED = [Requirement(line) for line in LINES if line and not line.startswith("#
 
 
 def closure(name, extras):
-    """Names of all distributions that ``name[extras]`` needs here, without itself."""
+    """Names of all distributions that ``name[extras]`` needs here, without itself.
+
+    Of one that is not installed, as the extra "browser" after ``pip install -r requirements.txt``,
+    nobody knows what it needs; ``make test`` installs all of them.
+    """
     found, waiting = set(), [(name, frozenset(extras))]
     seen = set()
     while waiting:
@@ -22,13 +26,20 @@ def closure(name, extras):
         if (name, extras) in seen:
             continue
         seen.add((name, extras))
-        for text in requires(name) or []:
+        for text in _requires(name):
             need = Requirement(text)
             environments = [{**default_environment(), "extra": e} for e in {"", *extras}]
             if need.marker is None or any(need.marker.evaluate(e) for e in environments):
                 found.add(canonicalize_name(need.name))
                 waiting.append((need.name, frozenset(need.extras)))
     return found
+
+
+def _requires(name):
+    try:
+        return requires(name) or []
+    except PackageNotFoundError:
+        return []
 
 
 def test_everything_needed_here_is_locked():
@@ -38,7 +49,7 @@ def test_everything_needed_here_is_locked():
         if need.marker is None or need.marker.evaluate()
     }
     needed = closure("ftseries", {"book", "test", "browser"})
-    assert {"numpy", "sphinx", "pytest"} <= needed
+    assert {"numpy", "sphinx", "pytest", "playwright"} <= needed
     assert needed <= locked, f"run make lock: {sorted(needed - locked)} not locked"
 
 

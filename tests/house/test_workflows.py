@@ -1,6 +1,8 @@
 """GitHub's workflows: they do what `make` does, where the book promises that it works."""
 
 import re
+import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -12,8 +14,10 @@ TARGETS = set(re.findall(r"^([\w-]+):", (ROOT / "Makefile").read_text("utf-8"), 
 
 
 def read(path):
+    """The workflow, and its steps but for those of the job that types what the README says."""
     flow = yaml.safe_load(path.read_text(encoding="utf-8"))
-    steps = [step for job in flow["jobs"].values() for step in job["steps"]]
+    steps = [step for name, job in flow["jobs"].items() if name != "readme"
+             for step in job["steps"]]
     return flow, steps
 
 
@@ -27,6 +31,30 @@ def test_steps_call_make_and_pinned_actions_only(path):
             assert command == "make" and (target in TARGETS or target == "${{"), step
         else:
             assert re.search(r"@(v\d+|release/v\d+)$", step["uses"]), step
+
+
+def test_the_commands_of_the_readme_are_run_as_they_stand():
+    """All but the last one, which opens JupyterLab."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    block = text.partition("Without make, in a virtual environment:\n\n")[2].partition("\n\n")[0]
+    *commands, last = [line.partition("#")[0].strip() for line in block.splitlines()]
+    assert last == "jupyter lab book" and commands[-1] == "pytest" and len(commands) == 4
+    flow, _ = read(ROOT / ".github" / "workflows" / "test.yml")
+    runs = [step["run"].splitlines() for step in flow["jobs"]["readme"]["steps"] if "run" in step]
+    assert runs[0] == commands
+    assert runs[1][-1].endswith(".venv/bin/python tour.py") and ".venv/bin/python tour.py" in text
+
+
+def test_the_tour_is_cut_out_of_the_readme(tmp_path):
+    """By the command of the workflow: the same lines that test_readme executes."""
+    if not shutil.which("sed"):
+        pytest.skip("there is no sed")
+    flow, _ = read(ROOT / ".github" / "workflows" / "test.yml")
+    cut = flow["jobs"]["readme"]["steps"][-1]["run"].splitlines()[0]
+    shutil.copy(ROOT / "README.md", tmp_path)
+    subprocess.run(cut, shell=True, check=True, cwd=tmp_path)
+    (tour,) = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text("utf-8"), re.DOTALL)
+    assert (tmp_path / "tour.py").read_text("utf-8") == tour
 
 
 def test_weekly_targets_exist_and_failures_open_an_issue():
