@@ -81,7 +81,11 @@ def to_ball(unit: Expr) -> arb:
         for factor in unit.args:
             product *= to_ball(factor)
         return product
-    raise InputError(f"the unit {unit} is not a product of powers of rationals")
+    if unit.is_Add:
+        return sum(map(to_ball, unit.args), arb(0))
+    if unit is sp.pi:
+        return arb.pi()
+    raise InputError(f"the number {unit} is not made of rationals, their powers and π")
 
 
 def at(number: Number, point: Sequence[fmpq]) -> Number:
