@@ -14,7 +14,7 @@ from .aliases import Expr, Number
 from .arguments import decimal
 from .errors import InputError
 
-__all__ = ["to_sympy", "to_float", "to_mpf", "to_ball", "in_fractions", "at",
+__all__ = ["to_sympy", "to_float", "to_ball", "in_fractions", "at",
            "numeric_unit", "float_unit"]
 
 
@@ -60,16 +60,6 @@ def float_unit(problem: Any, unit: Any) -> float:
     return value
 
 
-def to_mpf(number: Number) -> Any:
-    """An mpmath number at the working precision; the midpoint of a ball."""
-    if isinstance(number, fmpq):
-        return mpmath.mpf(int(number.p)) / int(number.q)
-    if isinstance(number, arb):
-        mantissa, exponent = number.mid().man_exp()
-        return mpmath.mpf(int(mantissa)) * mpmath.mpf(2) ** int(exponent)
-    return mpmath.mpf(number)
-
-
 def to_ball(unit: Expr) -> arb:
     """A SymPy number as a ball that encloses it, at the precision in force."""
     if unit.is_Rational:
@@ -83,9 +73,13 @@ def to_ball(unit: Expr) -> arb:
         return product
     if unit.is_Add:
         return sum(map(to_ball, unit.args), arb(0))
-    if unit is sp.pi:
-        return arb.pi()
-    raise InputError(f"the number {unit} is not made of rationals, their powers and π")
+    if unit in (sp.pi, sp.E):
+        return arb.pi() if unit is sp.pi else arb.const_e()
+    if isinstance(unit, (sp.exp, sp.log, sp.sin, sp.cos, sp.tan)):
+        value: arb = getattr(to_ball(unit.args[0]), type(unit).__name__)()
+        return value
+    raise InputError(f"the number {unit} is not made of rationals, π, powers and elementary "
+                     "functions; give its digits")
 
 
 def at(number: Number, point: Sequence[fmpq]) -> Number:

@@ -17,12 +17,14 @@ from numpy.typing import NDArray
 from .aliases import Array
 from .evaluation import FloatTable, radius_estimate
 
-__all__ = ["Place", "Terms", "digits", "nonzero"]
+__all__ = ["Place", "Terms", "digits", "front", "nonzero"]
 
 #: what may be left out of a truncated sum without a word, as part of its size
 _LIMIT = 0.01
 #: how many of the last terms are raised to a concave sequence
 _CONCAVE = 6
+#: how many places of a front are looked at
+_PLACES = 64
 #: below its neighbours by this factor, as a logarithm, a coefficient is rounding
 _ROUNDING = math.log(1e9)
 
@@ -190,9 +192,10 @@ class Place:
                     "approximation there, and whether the series converges is unknown; take a "
                     "smaller λ or a higher order, or compare with resum() or refine()")
         late = "" if name == self.names[0] else f" and the phase ωt = {self.phase:.3g}"
+        much = f"{100 * share:.2g} % of its size" if share < 1 else "more than its size"
         return (f"at {at}{late} the orders of {name!r} that are left out may change "
-                f"{self.names[0]!r} by {100 * share:.2g} % of its size; take a higher order or a "
-                "smaller λ, or compare with resum() or refine()")
+                f"{self.names[0]!r} by {much}; take a higher order or a smaller λ, or compare with "
+                "resum() or refine()")
 
     def rounding(self, unit: float) -> float:
         """The relative error that floats bring, with the phase known to ``unit`` of itself."""
@@ -203,6 +206,26 @@ class Place:
 def _ratio(part: float, whole: float) -> float:
     """part / whole, where nothing is no part of anything."""
     return part / whole if part and whole else math.inf if part else 0.0
+
+
+def front(lam: Array, t: Array) -> list[tuple[float, float]]:
+    """Those of the pairs (λ, |t|) to which no other has both a larger |λ| and a later time.
+
+    Positive and negative λ are told apart; of long fronts only some pairs.
+
+    >>> front(np.array([1.0, 2.0, 3.0]), np.array([5.0, -9.0, 4.0]))
+    [(3.0, 4.0), (2.0, 9.0)]
+    """
+    found: list[tuple[float, float]] = []
+    lam, t = (a.ravel() for a in np.broadcast_arrays(lam, np.abs(t)))
+    for here in (lam >= 0, lam < 0):
+        order = np.flatnonzero(here)[np.lexsort((-t[here], -np.abs(lam[here])))]
+        later = np.maximum.accumulate(np.concatenate([[-1.0], t[order]]))
+        order = order[t[order] > later[:-1]]
+        order = order[np.unique(np.linspace(0, max(len(order) - 1, 0), _PLACES).astype(int))[
+            :len(order)]]
+        found += zip(lam[order].tolist(), t[order].tolist())
+    return found
 
 
 def digits(relative: float) -> int:

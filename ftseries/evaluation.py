@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .aliases import Array, ArrayLike, Mode, Real
 from .arguments import real, whole
@@ -22,8 +23,8 @@ from .problem import Scalar
 if TYPE_CHECKING:
     from .problem import Field, Problem
 
-__all__ = ["SMALL", "amplitudes", "broadcastable", "derivative", "fourier_sum", "motion",
-           "radius_estimate", "times", "turned", "unknown", "warn"]
+__all__ = ["SMALL", "amplitudes", "broadcastable", "derivative", "fitting", "fourier_sum",
+           "motion", "radius_estimate", "times", "turned", "unknown", "warn"]
 
 #: an error of a Padé sum that is not small against it
 SMALL = 0.5
@@ -90,7 +91,9 @@ def turned(turns: Real, rest: Real, t: Array) -> Real:
 
     The product of two floats is a float and an error that is one too (Dekker 1971).
 
-    >>> turned(0.1, -0x1.999999999999ap-58, np.array(1e15 + 1)) / (2 * np.pi)     # 1/10
+    >>> from fractions import Fraction
+    >>> rest = float(Fraction(1, 10) - Fraction(0.1))
+    >>> round(float(turned(0.1, rest, np.array(1e15 + 1)) / (2 * np.pi)), 15)
     0.1
     """
     product = turns * t
@@ -151,7 +154,11 @@ def warn(reason: str, kind: type[Warning] = ConvergenceWarning) -> None:
 
 def broadcastable(**values: Any) -> dict[str, Array]:
     """The values as finite float arrays whose shapes fit together."""
-    arrays = {name: real(name, value) for name, value in values.items()}
+    return fitting({name: real(name, value) for name, value in values.items()})
+
+
+def fitting(arrays: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+    """The same arrays; refuses shapes that do not fit together."""
     try:
         np.broadcast_shapes(*(array.shape for array in arrays.values()))
     except ValueError:

@@ -151,7 +151,7 @@ class Tables:
         last = int(orders[-1]) if orders.size else -1
         quiet = self.order - last
         later = (number for row in self.coefficients[name][last + 1:] for number in row.values())
-        if quiet < (np.gcd.reduce(np.diff(orders)) if orders.size > 1 else 1) or any(
+        if orders.size > 2 and quiet < np.gcd.reduce(np.diff(orders)) or any(
                 isinstance(number, arb) and number != 0 for number in later):
             return False
         gap = self._gap(parameters)

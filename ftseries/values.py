@@ -7,7 +7,7 @@ The methods of this class belong to :class:`ftseries.Solution`; the sums are tho
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -16,7 +16,7 @@ from flint import arb, ctx, fmpq
 from . import enclosure, evaluation
 from .aliases import Array, ArrayLike, Exact, Real
 from .arguments import decimal, rational, whole
-from .doubt import Place, digits
+from .doubt import Place, digits, front
 from .errors import ConvergenceWarning, InputError, PrecisionWarning
 from .problem import Scalar
 from .tables import Point, Tables
@@ -129,12 +129,13 @@ class Values(Tables):
         >>> import ftseries as fts
         >>> sol = fts.solve(fts.CubicOscillator(a=1), order=24, arithmetic="ball", precision=64)
         >>> sol.enclosure("omega", lam=0.5)
-        [3.44587638647234 +/- 4.68e-15]
+        [3.44587638647226 +/- 2.76e-16]
         """
         if self.arithmetic == "float":
             raise InputError("float coefficients have errors that nobody knows; solve with "
                              "arithmetic='exact' or 'ball' for values in balls")
         t = evaluation.times(self.problem, name, t, derivative)
+        evaluation.fitting({"t": np.asarray(t, object), "lam": np.asarray(lam, object)})
         self._check_parameters(parameters)
         bits = whole("precision", self.precision or 128 if precision is None else precision, 2)
         point = [decimal(parameters[p]) for p in self.problem.parameters]
@@ -144,19 +145,14 @@ class Values(Tables):
 
     def _evaluate(self, name: str, t: Array, lam: Array, order: int, parameters: Point,
                   reasons: Reasons) -> Real:
-        places = list(self._places(name, lam, t, order, parameters))
-        for place in places:
-            for kind, reason in ((ConvergenceWarning, place.doubt()),
-                                 (PrecisionWarning, self._loss(place))):
-                if reason:
-                    reasons.setdefault(kind, reason)
+        late = self._look(name, lam, t, order, parameters, reasons)
         amplitude, *frequency = (self._amplitudes(which, lam, parameters)
                                  for which in self._summed(name))
         if isinstance(self.problem.unknowns[name], Scalar):
             return amplitude.get((0, 0), np.zeros(lam.shape))
         omega = frequency[0].get((0, 0), 0.0) if frequency else 1.0
         tau = omega * t
-        if any(place.phase > _LATE for place in places):
+        if late:
             tau = evaluation.turned(*self._turns(lam, parameters), t)
         return omega**order * evaluation.fourier_sum(
             evaluation.derivative(amplitude, order), tau + 0 * lam)
@@ -212,34 +208,54 @@ class Values(Tables):
                 "rest is noise; solve with arithmetic='exact' for more")
         elif found < dps:
             reasons[PrecisionWarning] = self._few_digits(name, math.floor(max(found, 0)), dps)
-        for place in self._places(name, np.asarray(lam, float), np.asarray(t, float), order,
-                                  tuple((k, float(v)) for k, v in parameters.items())):
-            if reason := place.doubt():
-                reasons[ConvergenceWarning] = reason
+        said: Reasons = {}
+        self._look(name, np.asarray(lam, float), np.asarray(t, float), order,
+                   tuple((k, float(v)) for k, v in parameters.items()), said)
+        if ConvergenceWarning in said:
+            reasons[ConvergenceWarning] = said[ConvergenceWarning]
         return np.frompyfunc(lambda value: enclosure.rounded(value, dps), 1, 1)(values)
 
     # --- doubts ---------------------------------------------------------------------------------
 
-    def _places(self, name: str, lam: ArrayLike, t: ArrayLike | None, derivative: int,
-                parameters: Point) -> Iterator[Place]:
-        """The unknown at the smallest and the largest λ and at the latest time.
+    def _look(self, name: str, lam: Array, t: Array, derivative: int, parameters: Point,
+              reasons: Reasons) -> bool:
+        """Add what is to be said, one sentence of each kind; is any phase late?
 
-        Without t, at the end of a period.
+        First at the extreme λ and the latest time, and if there is anything, where these meet.
         """
-        names = self._summed(name)
+        if not lam.size or not t.size:
+            return False
+        latest = float(np.max(np.abs(t)))
+        places = [self._place(name, each, latest, derivative, parameters)
+                  for each in sorted({float(lam.min()), float(lam.max())})]
+        found = self._said(places)
+        if found and lam.ndim and t.ndim:
+            found = self._said([self._place(name, *pair, derivative, parameters)
+                                for pair in front(lam, t)])
+        for kind, reason in found.items():
+            reasons.setdefault(kind, reason)
+        return any(place.phase > _LATE for place in places)
+
+    def _said(self, places: list[Place]) -> Reasons:
+        found = ((ConvergenceWarning, next(filter(None, (p.doubt() for p in places)), None)),
+                 (PrecisionWarning, next(filter(None, map(self._loss, places)), None)))
+        return {kind: reason for kind, reason in found if reason}
+
+    def _place(self, name: str, lam: float, time: float | None, derivative: int,
+               parameters: Point) -> Place:
+        """The unknown at λ and a time; without one, at the end of a period."""
+        names, lam = self._summed(name), lam / self._lam_scale
         terms = [self._terms(which, derivative * (i == 0), parameters)
                  for i, which in enumerate(names)]
-        lam = np.asarray(lam) / self._lam_scale
-        latest = 0.0 if t is None else float(np.max(np.abs(t), initial=0.0))
-        for place in sorted({float(lam.min()), float(lam.max())}) if lam.size else ():
-            omega = terms[1].sizes(place)[0] * self._scale(names[1]) if names[1:] else 1.0
-            phase = 2 * math.pi if t is None else abs(omega) * latest
-            yield Place(names, terms, place, phase, self._lam_scale)
+        omega = terms[1].sizes(lam)[0] * self._scale(names[1]) if names[1:] else 1.0
+        phase = 2 * math.pi if time is None else abs(omega) * time
+        return Place(names, terms, lam, phase, self._lam_scale)
 
     def _doubt(self, name: str, lam: ArrayLike, parameters: Point) -> str | None:
         """Why the truncated sum may be no approximation at λ within a period, or None."""
-        return next(filter(None, (place.doubt() for place in self._places(
-            name, lam, None, 0, parameters))), None)
+        places = (self._place(name, float(each), None, 0, parameters)
+                  for each in {np.min(lam), np.max(lam)} if np.size(lam))
+        return next(filter(None, (place.doubt() for place in places)), None)
 
     def _loss(self, place: Place) -> str | None:
         """Why a float value has fewer digits than it seems to have, or None."""
@@ -258,6 +274,8 @@ class Values(Tables):
         return None
 
     def _few_digits(self, name: str, found: int, asked: int) -> str:
+        if self.arithmetic != "ball":
+            return f"the terms of {name!r} cancel here, and leave {found} of {asked} digits"
         return (f"the coefficients are balls of {self.precision} bits, and their radii leave "
                 f"{found} of {asked} digits of {name!r} here; enclosure() gives the ball; solve "
                 "with a larger precision for more")
