@@ -23,7 +23,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .NOTPARALLEL:
 .PHONY: help book lab test style unit notebooks-tested strict-book browser-tested notebooks lock clean
-.PHONY: coverage fuzz mutants random oldest bench bench-book
+.PHONY: coverage fuzz mutants random oldest bench bench-book calibration
 .PHONY: slides student pdf figures site debian-latex linkcheck lint-workflows newest dist
 
 help:
@@ -46,6 +46,7 @@ help:
 	@echo "make oldest     the tests with the oldest versions that pyproject.toml allows"
 	@echo "make bench      measure this package and its peers, and renew the chapter on it"
 	@echo "make bench-book measure the builds and the tests of the book"
+	@echo "make calibration  how often evaluate is wrong in silence, and warns in vain: a table"
 	@echo "make lock       renew requirements.lock with the newest versions that fit"
 	@echo "make newest     make test with the newest versions of everything"
 	@echo "make linkcheck  ask every link of the book whether it still leads somewhere"
@@ -200,6 +201,9 @@ bench: $(READY)
 
 bench-book: $(READY)
 	PYTHONPATH=tests $(BIN)/python benchmarks/book.py
+
+calibration: $(READY)
+	PYTHONPATH=tests $(BIN)/python benchmarks/calibration.py
 
 # --- housekeeping -----------------------------------------------------------------------------
 

@@ -14,8 +14,8 @@ from .aliases import Expr, Number
 from .arguments import DIGITS, decimal, shown
 from .errors import InputError
 
-__all__ = ["to_sympy", "to_float", "to_mpf", "to_ball", "in_fractions", "at", "precise",
-           "symbolic", "numeric_unit", "float_unit"]
+__all__ = ["to_sympy", "to_float", "to_ball", "in_fractions", "at", "symbolic", "numeric_unit",
+           "float_unit"]
 
 
 def to_sympy(number: Number, names: Sequence[str | Expr]) -> Expr:
@@ -83,16 +83,6 @@ def float_unit(problem: Any, unit: Any) -> float:
     return value
 
 
-def to_mpf(number: Number) -> Any:
-    """An mpmath number at the working precision; the midpoint of a ball."""
-    if isinstance(number, fmpq):
-        return mpmath.mpf(int(number.p)) / int(number.q)
-    if isinstance(number, arb):
-        mantissa, exponent = number.mid().man_exp()
-        return mpmath.mpf(int(mantissa)) * mpmath.mpf(2) ** int(exponent)
-    return mpmath.mpf(number)
-
-
 def to_ball(unit: Expr) -> arb:
     """A SymPy number as a ball that encloses it, at the precision in force."""
     if unit.is_Rational:
@@ -104,24 +94,15 @@ def to_ball(unit: Expr) -> arb:
         for factor in unit.args:
             product *= to_ball(factor)
         return product
-    raise InputError(f"the unit {unit} is not a product of powers of rationals")
-
-
-def precise(x: Any) -> Any:
-    """A number that a user gives, in mpmath's working precision.
-
-    A float is the decimal that it looks like, mpmath's numbers keep their bits, and π and √2 have
-    all their digits.
-
-    >>> with mpmath.workdps(30):
-    ...     print(precise(0.1), precise(sp.sqrt(2)))
-    0.1 1.41421356237309504880168872421
-    """
-    if isinstance(x, mpmath.mpf):
-        return +x
-    if isinstance(x, sp.Expr) and not isinstance(x, (sp.Rational, sp.Float)):
-        return mpmath.mpmathify(x.evalf(mpmath.mp.dps))
-    return to_mpf(decimal(x))
+    if unit.is_Add:
+        return sum(map(to_ball, unit.args), arb(0))
+    if unit in (sp.pi, sp.E):
+        return arb.pi() if unit is sp.pi else arb.const_e()
+    if isinstance(unit, (sp.exp, sp.log, sp.sin, sp.cos, sp.tan)):
+        value: arb = getattr(to_ball(unit.args[0]), type(unit).__name__)()
+        return value
+    raise InputError(f"the number {unit} is not made of rationals, π, powers and elementary "
+                     "functions; give its digits")
 
 
 def at(number: Number, point: Sequence[fmpq]) -> Number:

@@ -9,31 +9,28 @@ from __future__ import annotations
 
 import sys
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-import mpmath
 import numpy as np
+from numpy.typing import NDArray
 
 from .aliases import Array, ArrayLike, Mode, Real
 from .arguments import real, shown, whole
-from .conversion import precise
 from .errors import ConvergenceWarning, InputError
 from .problem import Scalar
 
 if TYPE_CHECKING:
     from .problem import Field, Problem
 
-__all__ = ["SMALL", "amplitudes", "broadcastable", "check_lam", "doubt", "fourier_sum",
-           "motion", "mp_evaluate", "radius_estimate", "times", "unknown", "warn"]
+__all__ = ["amplitudes", "broadcastable", "check_lam", "derivative", "fitting",
+           "fourier_sum", "motion", "radius_estimate", "times", "turned", "unknown", "warn"]
 
-#: terms beyond this part of the largest ones before them are not small: above what good sums of
-#: low order leave, below 1, where the terms grow
-SMALL = 0.5
+#: splits a float into two halves, of which products are exact
+_SPLIT = 2.0**27 + 1
 
-#: the coefficients of λ^0, λ^1, … by mode: floats, and what gives them in any precision
+#: the coefficients of λ^0, λ^1, … by mode
 FloatTable: TypeAlias = Mapping[Mode, Sequence[float] | Array]
-MpTable: TypeAlias = dict[Mode, list[Callable[[], Any]]]
 
 
 def amplitudes(table: FloatTable, lam: ArrayLike) -> dict[Mode, Array]:
@@ -85,6 +82,22 @@ def derivative(amplitude: Mapping[Mode, Real], order: int) -> dict[Mode, Real]:
 def motion(amplitude: Mapping[Mode, Real], t: ArrayLike, omega: Real = 1.0, order: int = 0) -> Real:
     """The field with these amplitudes at times t, or a derivative of it in t."""
     return omega**order * fourier_sum(derivative(amplitude, order), omega * np.asarray(t))
+
+
+def turned(turns: Real, rest: Real, t: Array) -> Real:
+    """The phase 2π ν t without its whole turns, for ν = ``turns`` + ``rest``, twice as many digits.
+
+    The product of two floats is a float and an error that is one too (Dekker 1971).
+
+    >>> from fractions import Fraction
+    >>> rest = float(Fraction(1, 10) - Fraction(0.1))
+    >>> round(float(turned(0.1, rest, np.array(1e15 + 1)) / (2 * np.pi)), 15)
+    0.1
+    """
+    product = turns * t
+    (a, b), (c, d) = ((x * _SPLIT - (x * _SPLIT - x), x) for x in (turns, t))
+    error = ((a * c - product) + a * (d - c) + (b - a) * c) + (b - a) * (d - c)
+    return 2 * np.pi * ((product - np.rint(product)) + (error - np.rint(error) + rest * t))
 
 
 def unknown(problem: Problem, name: str) -> Field | Scalar:
@@ -139,50 +152,6 @@ def radius_estimate(table: FloatTable, algebraic: bool = True) -> float | None:
     return float(np.exp(-np.linalg.lstsq(design, np.log(sums[m]), rcond=None)[0][1]))
 
 
-def doubt(table: FloatTable, name: str, lam: ArrayLike, given: int = 1,
-          unit: float = 1.0) -> str | None:
-    """Why the truncated sum may be no approximation at the largest of the |λ|, or None.
-
-    Either |λ| is clearly outside the estimated radius of convergence, or, at any order, the terms
-    Σ_n |A_{n,m} λ^m| of the last orders m are not small against those before.  Orders that are
-    zero by parity do not count, and of the orders below ``given``, those of the seed, none is last.
-    The table is one in (λ/``unit``)^m.
-    """
-    largest = float(np.max(np.abs(lam), initial=0.0))
-    fits = [radius_estimate(table, algebraic) for algebraic in (True, False)]
-    found = [radius for radius in fits if radius is not None]
-    if len(found) == 2 and largest > 1.03 * unit * max(found):
-        radius = unit * (found[0] * found[1]) ** 0.5
-        return (f"λ = {largest:g} lies outside the radius of convergence of {name!r}, which its "
-                f"coefficients put near {radius:.3g}; the truncated sum is not an approximation "
-                "there")
-    share = last_terms(table, largest / unit, given)
-    if share > SMALL:
-        return (f"at λ = {largest:g} the last terms of {name!r} are not small, but "
-                f"{share:.2g} times the largest ones before: the truncated sum may be no "
-                "approximation there, and whether the series converges is unknown; take a smaller "
-                "λ or a higher order, or compare with resum() or refine()")
-    return None
-
-
-def last_terms(table: FloatTable, lam: float, given: int = 1) -> float:
-    """The largest term of the last orders at λ, over the largest term before them.
-
-    >>> last_terms({(0, 0): [1.0, 0.0, 0.25, 0.0, 0.125]}, 2.0)                # 1 + 1 + 2
-    2.0
-    """
-    sums = np.abs(np.array(list(table.values()), dtype=float)).sum(axis=0)
-    orders = np.flatnonzero(sums) if table else np.array([], dtype=int)
-    if lam == 0 or not orders.size:
-        return 0.0
-    step = int(np.gcd.reduce(orders - orders[0]))
-    last = orders >= max(len(sums) - max(step, 2), given)
-    if last.all() or not last.any():
-        return 0.0
-    terms = np.log(sums[orders]) + orders * np.log(lam)             # they may be beyond all floats
-    return float(np.exp(min(terms[last].max() - terms[~last].max(), 700.0)))
-
-
 def warn(reason: str, kind: type[Warning] = ConvergenceWarning) -> None:
     """A warning that points at the line which called the package."""
     level, frame = 1, sys._getframe()
@@ -191,27 +160,13 @@ def warn(reason: str, kind: type[Warning] = ConvergenceWarning) -> None:
     warnings.warn(reason, kind, stacklevel=level)
 
 
-def mp_evaluate(table: MpTable, frequency: list[Callable[[], Any]] | None, t: Any, lam: Any,
-                dps: int, order: int = 0) -> Any:
-    """The same as :func:`motion` with mpmath numbers, from functions of the working precision."""
-    with mpmath.workdps(dps + 10):
-        def value(time: Any, parameter: Any) -> Any:
-            parameter = precise(parameter)
-            rows = {mode: mpmath.polyval([c() for c in row[::-1]], parameter)
-                    for mode, row in table.items()}
-            omega = mpmath.mpf(1) if frequency is None else mpmath.polyval(
-                [c() for c in frequency[::-1]], parameter)
-            tau = omega * precise(time)
-            return omega**order * mpmath.fsum(a * (mpmath.sin if sine else mpmath.cos)(n * tau)
-                                              for (sine, n), a in derivative(rows, order).items())
-        result = np.frompyfunc(value, 2, 1)(np.asarray(t, object), np.asarray(lam, object))
-    with mpmath.workdps(dps):
-        return np.frompyfunc(lambda x: +x, 1, 1)(result)
-
-
 def broadcastable(**values: Any) -> dict[str, Array]:
     """The values as finite float arrays whose shapes fit together."""
-    arrays = {name: real(name, value) for name, value in values.items()}
+    return fitting({name: real(name, value) for name, value in values.items()})
+
+
+def fitting(arrays: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+    """The same arrays; refuses shapes that do not fit together."""
     try:
         np.broadcast_shapes(*(array.shape for array in arrays.values()))
     except ValueError:

@@ -16,7 +16,7 @@ from .arguments import scalar, scalars
 from .refine import Orbit, residuals
 from .resum import Resummed
 from .sequences import Sequences
-from .values import Point
+from .tables import Point
 
 __all__ = ["Quality"]
 

@@ -1,46 +1,43 @@
-r"""Values of a solution: its truncated series summed at numbers.
+r"""Values of a solution: its truncated series summed at numbers, and what is to be said of them.
 
 The methods of this class belong to :class:`ftseries.Solution`; the sums are those of
-:mod:`ftseries.evaluation`.
+:mod:`ftseries.evaluation` and :mod:`ftseries.enclosure`.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from functools import cached_property, lru_cache, partial
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
-import mpmath
 import numpy as np
-import sympy as sp
-from flint import fmpq
+from flint import arb, ctx, fmpq
 
-from . import evaluation
-from .aliases import Array, ArrayLike, Coefficients, Mode, Number, Real
-from .arguments import computed, scalars, whole
-from .conversion import at, float_unit, to_float, to_mpf
-from .errors import InputError, PrecisionWarning
+from . import enclosure, evaluation
+from .aliases import Array, ArrayLike, Exact, Real
+from .arguments import computed, decimal, rational, whole
+from .doubt import Place, digits, front
+from .errors import ConvergenceWarning, InputError, PrecisionWarning
 from .problem import Scalar
-
-if TYPE_CHECKING:
-    from .problem import Problem
+from .tables import Point, Tables
 
 __all__ = ["Values"]
 
-#: the values of free parameters, hashable
-Point: TypeAlias = tuple[tuple[str, float], ...]
+#: why a value may not be what was asked, by the kind of the warning
+Reasons: TypeAlias = dict[type[Warning], str]
+
+#: decimal digits of a float, and the part of a value that may be lost without a word to rounding
+_DIGITS, _LOST = 15, 1e-8
+#: beyond this phase ωt, its whole turns are taken off with twice as many digits
+_LATE = 1e4
+#: the unit of rounding of a phase: that of a frequency in floats, and what is left otherwise
+_FLOAT, _TWICE = 2.0**-53, 2.0**-100
+#: how often the precision is doubled where digits are lacking
+_DOUBLINGS = 8
 
 
-class Values:
-    """A solution's coefficients as tables of floats, and its unknowns at numbers."""
-
-    def __init__(self, problem: Problem, arithmetic: str, order: int, coefficients: Coefficients,
-                 precision: int | None = None) -> None:
-        self.problem, self.arithmetic, self.order = problem, arithmetic, order
-        self.coefficients, self.precision = coefficients, precision
-        self._table = lru_cache(maxsize=64)(self._make_table)
-        self._scale = lru_cache(maxsize=64)(self._make_scale)
+class Values(Tables):
+    """A solution's unknowns at numbers."""
 
     def evaluate(self, name: str, t: ArrayLike | None = None, *positional: Any,
                  lam: ArrayLike | None = None, dps: int | None = None, derivative: int = 0,
@@ -71,10 +68,14 @@ class Values:
         Warns
         -----
         ConvergenceWarning
-            λ lies outside the radius of convergence that the coefficients suggest; or, also with
-            few coefficients, the terms of the last orders are not small.
+            What the orders left out may change, extrapolated from the last terms of the series and
+            of that of the frequency, times t, is more than a hundredth of the value's size
+            Σ_n |A_n|; or nothing is known of it, as where only the first terms, those given by
+            hand, are known.  It is an estimate, not a bound.
         PrecisionWarning
-            ``dps`` asks for more digits than the coefficients have.
+            The coefficients are balls, and their radii leave fewer digits of the size than asked:
+            ``dps``, or 15 without it; or ``dps`` is more than the digits of floats; or the rounding
+            of floats, that of ωt at late times among it, leaves fewer than 8 digits.
 
         Examples
         --------
@@ -89,93 +90,89 @@ class Values:
         t = evaluation.times(self.problem, name, t, derivative)
         self._check_parameters(parameters)
         values = evaluation.broadcastable(t=t, lam=lam, **parameters)
+        time, places, reasons = values.pop("t"), values.pop("lam"), Reasons()
         if dps is not None:
-            return self._evaluate_mp(name, t, lam, dps, derivative, parameters)
-        time, lam = values.pop("t"), values.pop("lam")
-        if all(v.ndim == 0 for v in values.values()):
+            result = self._evaluate_mp(name, t, lam, dps, derivative, parameters, reasons)
+        elif all(v.ndim == 0 for v in values.values()):
             point = tuple((k, float(v)) for k, v in values.items())
-            result = self._evaluate(name, time, lam, derivative, point)
+            result = self._evaluate(name, time, places, derivative, point, reasons)
         else:
-            result = self._evaluate_many(name, time, lam, derivative, values)
-        return result[()] if np.ndim(result) else float(result)
+            result = self._evaluate_many(name, time, places, derivative, values, reasons)
+        for kind, reason in reasons.items():
+            evaluation.warn(reason, kind)
+        return result if dps or np.ndim(result) else float(result)
 
-    def table(self, name: str, **parameters: float) -> dict[Mode, list[float]]:
-        """``{(sine, n): [A_{n,0}, A_{n,1}, …]}`` as floats in the paper's units."""
-        evaluation.unknown(self.problem, name)
+    def enclosure(self, name: str, t: Any = None, *, lam: Any, derivative: int = 0,
+                  precision: int | None = None, **parameters: Exact) -> Any:
+        """A ball that encloses the value of the truncated series, rounding and radii included.
+
+        It says nothing of the orders that are left out.
+
+        Parameters
+        ----------
+        name, t, derivative, **parameters
+            As for :meth:`evaluate`; one value of each parameter.
+        lam : number or array of numbers
+            As ``t``: an int, Fraction, decimal (which is the decimal that it looks like, not its
+            binary neighbour), SymPy number, ``fmpq``, or a ball, of which every point is meant.
+        precision : int, optional
+            The bits to compute with; left out, those of the solution's balls, or 128.
+
+        Returns
+        -------
+        flint.arb, or a numpy.ndarray of them
+
+        Raises
+        ------
+        InputError
+            The coefficients are floats, of whose errors nothing is known.
+
+        Examples
+        --------
+        >>> import ftseries as fts
+        >>> sol = fts.solve(fts.CubicOscillator(a=1), order=24, arithmetic="ball", precision=64)
+        >>> sol.enclosure("omega", lam=0.5)
+        [3.44587638647226 +/- 2.76e-16]
+        """
+        if self.arithmetic == "float":
+            raise InputError("float coefficients have errors that nobody knows; solve with "
+                             "arithmetic='exact' or 'ball' for values in balls")
+        t = evaluation.times(self.problem, name, t, derivative)
+        evaluation.fitting({"t": np.asarray(t, object), "lam": np.asarray(lam, object)})
         self._check_parameters(parameters)
-        table = self._table(name, tuple(scalars(parameters).items()))
-        units = [float_unit(self.problem, self.problem.unit(name, m)) if any(column) else 1.0
-                 for m, column in enumerate(zip(*table.values()))]
-        return {mode: (row * units).tolist() for mode, row in table.items()}
+        bits = whole("precision", self.precision or 128 if precision is None else precision, 2)
+        point = [decimal(parameters[p]) for p in self.problem.parameters]
+        return self._enclosed(name, t, lam, derivative, point, bits, decimal)[0]
 
-    def _check_parameters(self, parameters: Mapping[str, Any]) -> None:
-        wanted = set(self.problem.parameters)
-        if set(parameters) != wanted:
-            needs = ", ".join(f"{p}=…" for p in sorted(wanted)) or "no parameters besides t and lam"
-            given = ", ".join(sorted(parameters)) or "none"
-            raise InputError(f"{self.problem!r} needs {needs}; given: {given}")
+    # --- floats ---------------------------------------------------------------------------------
 
-    def _point(self, parameters: Mapping[str, Any]) -> list[fmpq]:
-        """The values of the free parameters, in their order, as rationals."""
-        return [computed(parameters[p]) for p in self.problem.parameters]
-
-    def _make_table(self, name: str, parameters: Point) -> dict[Mode, Array]:
-        """The coefficients in the solver's units, in which they grow least."""
-        table: dict[Mode, Array] = {}
-        point = self._point(dict(parameters))
-        for m, row in enumerate(self.coefficients[name]):
-            for mode, number in row.items():
-                try:
-                    value = to_float(at(number, point))
-                except OverflowError:
-                    raise InputError(f"the coefficients of {name!r} leave the floats at order {m} "
-                                     f"of λ; truncate({m - 1}), or measure λ in another unit"
-                                     ) from None
-                table.setdefault(mode, np.zeros(self.order + 1))[m] = value
-        return table
-
-    def _amplitudes(self, name: str, lam: Array, parameters: Point) -> dict[Mode, Real]:
-        """``{mode: A_n(λ)}`` in the paper's units."""
-        table = self._table(name, parameters)
-        return {mode: self._scale(name) * amplitude for mode, amplitude in
-                evaluation.amplitudes(table, lam / self._lam_scale).items()}
-
-    @cached_property
-    def _lam_scale(self) -> float:
-        return float_unit(self.problem, self.problem.lam_scale)
-
-    def _make_scale(self, name: str) -> float:
-        return float_unit(self.problem, self.problem.scale(name))
-
-    @cached_property
-    def _given(self) -> dict[str, int]:
-        """How many orders of each unknown the seed gives."""
-        return {name: len(rows) for name, rows in self.problem.first_coefficients().items()}
-
-    def _summed(self, name: str) -> list[str]:
-        """The unknowns whose series enter the value of one: a field has the frequency with it."""
-        frequency = self.problem.frequency
-        alone = isinstance(self.problem.unknowns[name], Scalar) or not frequency
-        return [name] if alone else [name, str(frequency)]
-
-    def _doubt(self, name: str, lam: ArrayLike, parameters: Point) -> str | None:
-        """Why the truncated sum may be no approximation at λ, or None."""
-        reasons = (evaluation.doubt(self._table(which, parameters), which, lam, self._given[which],
-                                    self._lam_scale) for which in self._summed(name))
-        return next(filter(None, reasons), None)
-
-    def _evaluate(self, name: str, t: Array, lam: Array, order: int, parameters: Point) -> Real:
-        if reason := self._doubt(name, lam, parameters):
-            evaluation.warn(reason)
+    def _evaluate(self, name: str, t: Array, lam: Array, order: int, parameters: Point,
+                  reasons: Reasons) -> Real:
+        late = self._look(name, lam, t, order, parameters, reasons)
         amplitude, *frequency = (self._amplitudes(which, lam, parameters)
                                  for which in self._summed(name))
         if isinstance(self.problem.unknowns[name], Scalar):
             return amplitude.get((0, 0), np.zeros(lam.shape))
-        omega = frequency[0][0, 0] if frequency else 1.0
-        return evaluation.motion(amplitude, t + 0 * lam, omega, order)
+        omega = frequency[0].get((0, 0), 0.0) if frequency else 1.0
+        tau = omega * t
+        if late:
+            tau = evaluation.turned(*self._turns(lam, parameters), t)
+        return omega**order * evaluation.fourier_sum(
+            evaluation.derivative(amplitude, order), tau + 0 * lam)
+
+    def _turns(self, lam: Array, parameters: Point) -> tuple[Real, Real]:
+        """ω/2π at each λ as the sum of two floats."""
+        with ctx.workprec(max(256, self.precision or 0)):
+            if not self.problem.frequency:
+                return enclosure.turns(arb(1))
+            unique, where = np.unique(lam, return_inverse=True)
+            sums = self._sums([self.problem.frequency], unique.astype(object),
+                              self._point(dict(parameters)), rational)
+            first, rest = np.transpose([enclosure.turns(each.amplitudes[0, 0]) for each in sums])
+        return first[where].reshape(lam.shape), rest[where].reshape(lam.shape)
 
     def _evaluate_many(self, name: str, t: Array, lam: Array, order: int,
-                       values: dict[str, Array]) -> Array:
+                       values: dict[str, Array], reasons: Reasons) -> Array:
         arrays = np.broadcast_arrays(t, lam, *values.values())
         result = np.empty(arrays[0].shape)
         points = np.stack([a.ravel() for a in arrays[2:]], axis=1)
@@ -183,37 +180,105 @@ class Values:
         for i, point in enumerate(unique):
             here = (where.ravel() == i).reshape(result.shape)
             result[here] = self._evaluate(name, arrays[0][here], arrays[1][here], order,
-                                          tuple(zip(values, map(float, point))))
+                                          tuple(zip(values, map(float, point))), reasons)
         return result
 
+    # --- balls ----------------------------------------------------------------------------------
+
+    def _enclosed(self, name: str, t: Any, lam: Any, order: int, point: list[fmpq], bits: int,
+                  read: Callable[[Exact], fmpq]) -> Any:
+        """The values and their sizes."""
+        with ctx.workprec(bits):
+            sums = self._sums(self._summed(name), np.asarray(lam, object), point, read)
+            return np.frompyfunc(lambda each, time: each.value(enclosure.ball(time, read), order),
+                                 2, 2)(sums, np.asarray(t, object))
+
     def _evaluate_mp(self, name: str, t: Any, lam: Any, dps: int, order: int,
-                     parameters: Mapping[str, Any]) -> Any:
-        known = {"float": 15, "ball": int((self.precision or 0) * math.log10(2))}
-        if whole("dps", dps, 1) > known.get(self.arithmetic, dps):
-            evaluation.warn(f"dps={dps}: in {self.arithmetic} arithmetic the coefficients have "
-                            f"{known[self.arithmetic]} digits, and the rest is noise; solve with "
-                            "arithmetic='exact' for more", PrecisionWarning)
+                     parameters: Mapping[str, Any], reasons: Reasons) -> Any:
         if any(np.ndim(value) for value in parameters.values()):
             raise InputError(f"with dps, give one value of {', '.join(parameters)} at a time")
-        floats = tuple((k, float(v)) for k, v in parameters.items())
-        if reason := self._doubt(name, np.asarray(lam, dtype=float), floats):
-            evaluation.warn(reason)
+        bits = math.ceil(whole("dps", dps, 1) * math.log2(10)) + 32
         point = self._point(parameters)
+        for _ in range(2 if self.arithmetic == "ball" else _DOUBLINGS):
+            values, sizes = self._enclosed(name, t, lam, order, point, bits, computed)
+            found = min(map(enclosure.good, np.ravel(values), np.ravel(sizes)), default=math.inf)
+            if found > dps + 1:
+                break
+            bits *= 2
+        if self.arithmetic == "float" and dps > _DIGITS:
+            reasons[PrecisionWarning] = (
+                f"dps={dps}: in float arithmetic the coefficients have {_DIGITS} digits, and the "
+                "rest is noise; solve with arithmetic='exact' for more")
+        elif found < dps:
+            reasons[PrecisionWarning] = self._few_digits(name, math.floor(max(found, 0)), dps)
+        said: Reasons = {}
+        self._look(name, np.asarray(lam, float), np.asarray(t, float), order,
+                   tuple((k, float(v)) for k, v in parameters.items()), said)
+        if ConvergenceWarning in said:
+            reasons[ConvergenceWarning] = said[ConvergenceWarning]
+        return np.frompyfunc(lambda value: enclosure.rounded(value, dps), 1, 1)(values)
 
-        def rows(which: str) -> evaluation.MpTable:
-            table: evaluation.MpTable = {}
-            for m, row in enumerate(self.coefficients[which]):
-                unit = sp.lambdify((), sp.sympify(self.problem.unit(which, m)), "mpmath")
-                for mode, number in row.items():
-                    table.setdefault(mode, [mpmath.mpf] * (self.order + 1))[m] = partial(
-                        _product, unit, at(number, point))
-            return table
+    # --- doubts ---------------------------------------------------------------------------------
 
-        table, *frequency = (rows(which) for which in self._summed(name))
-        return evaluation.mp_evaluate(table, frequency[0][0, 0] if frequency else None,
-                                      t, lam, dps, order)
+    def _look(self, name: str, lam: Array, t: Array, derivative: int, parameters: Point,
+              reasons: Reasons) -> bool:
+        """Add what is to be said, one sentence of each kind; is any phase late?
 
+        First at the extreme λ and the latest time, and if there is anything, where these meet.
+        """
+        if not lam.size or not t.size:
+            return False
+        latest = float(np.max(np.abs(t)))
+        places = [self._place(name, each, latest, derivative, parameters)
+                  for each in sorted({float(lam.min()), float(lam.max())})]
+        found = self._said(places)
+        if found and lam.ndim and t.ndim:
+            found = self._said([self._place(name, *pair, derivative, parameters)
+                                for pair in front(lam, t)])
+        for kind, reason in found.items():
+            reasons.setdefault(kind, reason)
+        return any(place.phase > _LATE for place in places)
 
-def _product(unit: Callable[[], Any], number: Number) -> Any:
-    """A coefficient as an mpmath number at the working precision."""
-    return unit() * to_mpf(number)
+    def _said(self, places: list[Place]) -> Reasons:
+        found = ((ConvergenceWarning, next(filter(None, (p.doubt() for p in places)), None)),
+                 (PrecisionWarning, next(filter(None, map(self._loss, places)), None)))
+        return {kind: reason for kind, reason in found if reason}
+
+    def _place(self, name: str, lam: float, time: float | None, derivative: int,
+               parameters: Point) -> Place:
+        """The unknown at λ and a time; without one, at the end of a period."""
+        names, lam = self._summed(name), lam / self._lam_scale
+        terms = [self._terms(which, derivative * (i == 0), parameters)
+                 for i, which in enumerate(names)]
+        omega = terms[1].sizes(lam)[0] * self._scale(names[1]) if names[1:] else 1.0
+        phase = 2 * math.pi if time is None else abs(omega) * time
+        return Place(names, terms, lam, phase, self._lam_scale)
+
+    def _doubt(self, name: str, lam: ArrayLike, parameters: Point) -> str | None:
+        """Why the truncated sum may be no approximation at λ within a period, or None."""
+        places = (self._place(name, float(each), None, 0, parameters)
+                  for each in {np.min(lam), np.max(lam)} if np.size(lam))
+        return next(filter(None, (place.doubt() for place in places)), None)
+
+    def _loss(self, place: Place) -> str | None:
+        """Why a float value has fewer digits than it seems to have, or None."""
+        if self.arithmetic == "ball":
+            powers = abs(place.lam) ** np.arange(self.order + 1)
+            lost = sum(place.relative([float(self._radii(which, terms.derivative) @ powers)
+                                       for which, terms in zip(place.names, place.terms)]))
+            if not lost <= 10.0**-_DIGITS:
+                return self._few_digits(place.names[0], digits(lost), _DIGITS)
+        of_floats = self.arithmetic == "float" and len(place.names) > 1
+        lost = place.rounding(_FLOAT if of_floats else _TWICE)
+        if not lost <= _LOST:
+            return (f"at λ = {place.unit * place.lam:g} and the phase ωt = {place.phase:.3g} the "
+                    f"rounding of floats leaves {digits(lost)} digits of {place.names[0]!r}; solve "
+                    "with arithmetic='exact' and evaluate(…, dps=…) for more")
+        return None
+
+    def _few_digits(self, name: str, found: int, asked: int) -> str:
+        if self.arithmetic != "ball":
+            return f"the terms of {name!r} cancel here, and leave {found} of {asked} digits"
+        return (f"the coefficients are balls of {self.precision} bits, and their radii leave "
+                f"{found} of {asked} digits of {name!r} here; enclosure() gives the ball; solve "
+                "with a larger precision for more")

@@ -1,10 +1,9 @@
 """Evaluation of plain tables: against direct sums, mpmath, and known radii."""
 
-import re
 import warnings
 from decimal import Decimal
 from fractions import Fraction
-from math import comb
+from functools import lru_cache
 
 import mpmath
 import numpy as np
@@ -20,9 +19,9 @@ from ftseries.evaluation import (
     amplitudes,
     broadcastable,
     derivative,
-    doubt,
     fourier_sum,
     radius_estimate,
+    turned,
 )
 from ftseries.references import gallery
 
@@ -74,39 +73,6 @@ def test_radius_needs_enough_coefficients():
     assert radius_estimate({(0, 0): [1.0, 0.0] * 20}) == pytest.approx(1, rel=1e-10)
 
 
-def test_a_doubt_names_the_radius():
-    table = {(0, 0): [comb(2 * k, k) / 4**k for k in range(40)]}          # 1/√(1 - λ)
-    assert re.match(r"λ = 2 lies outside .* near 1", doubt(table, "x", 2.0))
-    assert doubt(table, "x", np.array([0.5, -0.99])) is None
-    assert doubt(table, "x", np.array([])) is None
-
-
-@pytest.mark.parametrize("step, first", [(1, 0), (2, 0), (2, 1), (3, 0), (4, 2)])
-@pytest.mark.parametrize("order", [*range(1, 24)])
-def test_terms_that_do_not_fall_are_a_doubt_at_every_order(step, first, order):
-    """Σ z^k, z = λ^step, and zeros between: at z = 3 the last term is three times the others."""
-    row = [float(m % step == first and m >= first) for m in range(order + 1)]
-    found = doubt({(0, 1): row}, "x", 3 ** (1 / step), given=first + 1)
-    if order < step + first:
-        assert found is None                                # nothing to compare the first term with
-    else:
-        assert re.search("the last terms of 'x' are not small.*unknown|outside the radius", found)
-    assert doubt({(0, 1): row}, "x", 0.3 ** (1 / step), given=first + 1) is None
-    assert doubt({(0, 1): row}, "x", 0.0) is None
-
-
-def test_what_is_no_doubt():
-    polynomial = {(0, 0): [1.0, 0.0, 7.0, *[0.0] * 20]}
-    assert doubt(polynomial, "x", 50.0) is None             # the series has ended long before
-    assert doubt({}, "x", 2.0) is None
-    assert doubt({(0, 0): [1.0, 5.0]}, "x", 9.0, given=2) is None           # the seed alone
-    assert doubt({(0, 0): [1.0, 5.0]}, "x", 9.0, given=1) is not None
-
-
-def test_terms_beyond_all_floats():
-    assert doubt({(0, 0): [1.0] * 10}, "x", 1e300) is not None
-
-
 @given(tables, st.floats(-10, 10), st.integers(0, 3))
 def test_derivatives_against_the_definition(table, tau, order):
     """cos(nτ + kπ/2) n^k is the derivative of order k of cos nτ."""
@@ -114,6 +80,16 @@ def test_derivatives_against_the_definition(table, tau, order):
                  for (sine, n), row in table.items())
     assert fourier_sum(derivative(amplitudes(table, 1.0), order), tau) == pytest.approx(
         direct, abs=1e-11)
+
+
+@given(st.floats(-3, 3), st.floats(-1e20, 1e20))
+def test_whole_turns_are_taken_off_exactly(nu, t):
+    """Against rationals: 2⁻¹⁰⁰ of 3e20 turns, and the rounding of the difference."""
+    rest = nu * 2.0**-54
+    exact = (Fraction(nu) + Fraction(rest)) * Fraction(t)
+    found = turned(nu, rest, np.array(t)) / (2 * np.pi)
+    assert float(exact - round(exact) - Fraction(float(found))) % 1 in (
+        pytest.approx(0, abs=1e-9), pytest.approx(1, abs=1e-9))
 
 
 def test_broadcastable_names_the_shapes():
@@ -250,21 +226,138 @@ def test_derivatives_with_a_parameter_and_without_a_frequency():
 
 
 @pytest.mark.parametrize("order, name, t, lam", [
-    (2, "omega", None, 5), (4, "omega", None, 5), (20, "omega", None, 5), (4, "x", 0.1, 3)])
+    (1, "omega", None, 5), (2, "omega", None, 5), (4, "omega", None, 5), (20, "omega", None, 5),
+    (1, "x", 0.1, 3), (4, "x", 0.1, 3), (4, "x", 0.1, [0.1, -3])])
 @pytest.mark.parametrize("dps", [None, 20])
 def test_outside_the_radius_every_order_warns(duffing, order, name, t, lam, dps):
     """The radius is 1.2; ω is 4.4 at λ = 5, and its sum of order 20 is -4e9."""
     cut = duffing.truncate(order)
-    with pytest.warns(ConvergenceWarning, match="last terms of .* are not small") as caught:
+    with pytest.warns(ConvergenceWarning, match="do not fall|only the first|may change") as caught:
         cut.evaluate(name, t, lam=lam, dps=dps)
-    assert caught[0].filename == __file__
+    assert len(caught) == 1 and caught[0].filename == __file__
 
 
-@pytest.mark.parametrize("order", range(1, 21))
-def test_inside_the_radius_no_order_warns(duffing, order):
+def silent(solution, *asked, **values):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        duffing.truncate(order).evaluate("x", 0.1, lam=[-1.0, 0.5, 1.0])
+        return solution.evaluate(*asked, **values)
+
+
+@pytest.mark.parametrize("order", range(3, 21))
+def test_inside_the_radius_no_order_warns(duffing, order):
+    """At λ = 0.2, a sixth of the radius, from the second term on, and at t = 0.1."""
+    silent(duffing.truncate(order), "x", 0.1, lam=[-0.2, 0.1])
+    silent(duffing, "x", 0.1, lam=[-1.0, 0.5, 1.0])
+
+
+# --- at late times ------------------------------------------------------------------------------
+
+@pytest.mark.parametrize("order", [6, 10, 20])
+def test_the_error_of_the_frequency_is_multiplied_by_time(duffing, order):
+    """Silent as long as t times the true error of ω is below a hundredth, at λ = 0.5: never later.
+
+    The reference has 50 more orders, of which the first alone is below 10⁻¹⁰.
+    """
+    long, cut = fts.solve(Duffing(), 50), duffing.truncate(order)
+    error = abs(cut.evaluate("omega", lam=0.5) - long.evaluate("omega", lam=0.5))
+    silent(cut, "x", 0.01 / error / 1000, lam=0.5)
+    for t in (0.01 / error, [0, -1 / error]):
+        with pytest.warns(ConvergenceWarning, match="λ = 0.5 and the phase ωt = .* of 'omega'"):
+            cut.evaluate("x", t, lam=0.5)
+
+
+@pytest.mark.parametrize("t", [1e5, -1e9, 1e12, 1e15, 1e17])
+def test_late_times_keep_their_digits(cubic, t):
+    """The phase of exact coefficients is reduced with twice the digits; t is exact."""
+    lam = [0.01, 0.02]
+    value = silent(cubic, "x", t, lam=lam, derivative=1)
+    with mpmath.workdps(60):
+        omega = [sum(mpmath.mpmathify(cubic.coefficient("omega", m).evalf(60)) * mpmath.mpf(z)**m
+                     for m in range(13)) for z in lam]
+        exact = [-sum(cubic.coefficient("x", n, m).evalf(40) * mpmath.mpf(z)**m * n * w
+                      * mpmath.sin(n * w * t) for m in range(13) for n in range(m + 1))
+                 for z, w in zip(lam, omega)]
+    assert value == pytest.approx(np.array(exact, dtype=float), abs=1e-14 * 0.07)
+    assert cubic.evaluate("x", t, lam=lam, derivative=1, dps=30).astype(float) == pytest.approx(
+        value, abs=1e-14 * 0.07)
+
+
+def test_late_times_without_a_frequency():
+    """sin x at x = 10⁹: the phase is x itself."""
+    mathieu = fts.solve(fts.GeneralizedMathieu(0), 9)
+    assert silent(mathieu, "psi", [1e9, 1e12], lam=1e-5) == pytest.approx(
+        1e-5 * np.sin([1e9, 1e12]), rel=1e-9)
+
+
+def test_floats_lose_the_phase():
+    """Their ω is good to 2⁻⁵³ or so; exact coefficients lose nothing until 10²² radians."""
+    floats, exact = (fts.solve(fts.CubicOscillator(), 24, kind) for kind in ("float", "exact"))
+    silent(floats, "x", 1e5, lam=0.1)
+    for t, kept in ((1e9, 6), (1e15, 0)):
+        with pytest.warns(PrecisionWarning, match=f"leaves {kept} digits of 'x'"):
+            value = floats.evaluate("x", t, lam=0.5)
+        assert t > 1e10 or value == pytest.approx(exact.evaluate("x", t, lam=0.5), abs=1e-6)
+    with pytest.warns(PrecisionWarning, match="digits of 'x'"):
+        exact.evaluate("x", 1e30, lam=1e-4)
+
+
+def test_late_and_far_are_not_mixed(duffing):
+    """t = 10⁶ at λ = 0.01 and t = 0 at λ = 1 are each good: no pair of them is late and far."""
+    silent(duffing, "x", [1e6, 0.0], lam=[0.01, 1.0])
+    for t, lam in (([1e6, 0.0], [[0.01], [1.0]]), ([0, 1e6, 0], [1.0, 0.7, 0.01])):
+        with pytest.warns(ConvergenceWarning, match="of 'omega' that are left out"):
+            duffing.evaluate("x", t, lam=lam)
+
+
+# --- what is known ------------------------------------------------------------------------------
+
+OSCILLATOR = {"unknowns": {"x": fts.Field("cos", fixed=(1,)), "omega": fts.Scalar()},
+              "frequency": "omega"}
+
+
+@pytest.mark.parametrize("arithmetic", ["exact", "float", "ball"])
+@pytest.mark.parametrize("order", [1, 2, 5, 12])
+def test_finite_solutions_are_no_doubt(arithmetic, order):
+    """x = λ cos t; and λ cos t + λ²/2, forced."""
+    harmonic = fts.solve(fts.Equations("x'' + x = 0", **OSCILLATOR), order, arithmetic)
+    assert silent(harmonic, "x", 1e3, lam=50.0) == pytest.approx(50 * np.cos(1e3), rel=1e-12)
+    assert silent(harmonic, "omega", lam=50.0) == 1
+    if order > 1:
+        forced = fts.solve(fts.Equations("x'' + 2*x = lam*cos(t) + lam**2", unknowns={
+            "x": fts.Field("cos")}), order, arithmetic)
+        assert silent(forced, "x", 1.0, lam=7.0) == pytest.approx(7 * np.cos(1) + 24.5, rel=1e-13)
+    else:
+        assert silent(harmonic.truncate(1), "x", 1.0, lam=7.0, derivative=1) == pytest.approx(
+            -7 * np.sin(1), rel=1e-13)
+
+
+def test_a_constant_frequency_of_a_series_without_end():
+    """x'' + ((1 + x) - (1 + x)⁻³)/4 = 0 is isochronous: ω = 1."""
+    problem = fts.Equations("x'' + ((1 + x) - 1/(1 + x)**3)/4 = 0", **OSCILLATOR)
+    solution = fts.solve(problem, 16)
+    assert silent(solution, "omega", lam=0.9) == 1
+    silent(solution, "x", 1e9, lam=0.1)
+    with pytest.warns(ConvergenceWarning, match="of 'omega' only the first terms are known"):
+        solution.truncate(4).evaluate("x", 1e9, lam=0.1)
+
+
+def test_a_silence_before_the_second_term():
+    """x'' + x + x¹¹ = 0: ω = 1 + (63/2⁸) λ¹⁰ …; up to order 9 there is nothing but the seed."""
+    solution = fts.solve(fts.Equations("x'' + x + x**11 = 0", **OSCILLATOR), 22)
+    for order in (1, 5, 8, 9):
+        for name, t in (("omega", []), ("x", [0.3])):
+            with pytest.warns(ConvergenceWarning, match="only the first terms are known"):
+                solution.truncate(order).evaluate(name, *t, lam=0.9)
+    assert silent(solution, "omega", lam=0.4) == pytest.approx(1 + 231 / 1024 * 0.4**10, rel=1e-8)
+
+
+def test_free_parameters_count():
+    """At μ = 1 the series of a converges more slowly than at μ = 0."""
+    solution = fts.solve(fts.GeneralizedMathieu(), 21)
+    silent(solution, "a", lam=1.3, mu=[0.0, 0.1])
+    with pytest.warns(ConvergenceWarning) as caught:
+        solution.evaluate("a", lam=1.5, mu=[0.0, 3.0, 4.0])
+    assert len(caught) == 1
 
 
 def test_the_warning_points_at_the_caller_through_arrays_of_parameters():
@@ -274,12 +367,45 @@ def test_the_warning_points_at_the_caller_through_arrays_of_parameters():
     assert caught[0].filename == __file__
 
 
-@pytest.mark.parametrize("arithmetic, digits", [("float", 15), ("ball", 38)])
-def test_digits_that_the_coefficients_do_not_have(arithmetic, digits):
-    solution = fts.solve(fts.CubicOscillator(), 4, arithmetic)
-    solution.evaluate("x", 0.1, lam=0.5, dps=digits)
-    with pytest.warns(PrecisionWarning, match=f"dps={digits + 1}: .* have {digits} digits"):
-        solution.evaluate("x", 0.1, lam=0.5, dps=digits + 1)
+# --- digits -------------------------------------------------------------------------------------
+
+def test_digits_that_floats_do_not_have():
+    solution = fts.solve(fts.CubicOscillator(), 4, "float")
+    silent(solution, "x", 0.1, lam=0.05, dps=15)
+    with pytest.warns(PrecisionWarning, match="dps=16: .* have 15 digits"):
+        solution.evaluate("x", 0.1, lam=0.05, dps=16)
+
+
+@lru_cache
+def cubic_solved(order, arithmetic, bits=None):
+    return fts.solve(fts.CubicOscillator(), order, arithmetic, precision=bits or 128)
+
+
+@pytest.mark.parametrize("order, bits, lam", [(60, 53, 2.7), (60, 53, 1.8), (100, 128, 2.7),
+                                              (60, 128, 2.0), (24, 53, 0.5)])
+@pytest.mark.parametrize("name, t", [("omega", []), ("x", [0.3]), ("x", [1e4])])
+def test_balls_say_how_many_digits_they_have(order, bits, lam, name, t):
+    """As many as the enclosing ball has, and never more than are right."""
+    exact, balls = cubic_solved(order, "exact"), cubic_solved(order, "ball", bits)
+    true = exact.enclosure(name, *t, lam=lam, precision=400)
+    ball = balls.enclosure(name, *t, lam=lam, precision=400)
+    assert ball.overlaps(true)
+    for dps in (None, 10, int(bits / 3.3)):
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            value = balls.evaluate(name, *t, lam=lam, dps=dps)
+        said = [str(w.message) for w in said if w.category is PrecisionWarning]
+        kept = int(said[0].split("leave ")[1].split()[0]) if said else dps or 15
+        size = {"omega": 2, "x": 1}[name]
+        assert not kept or abs(float(value) - float(true)) <= size * 10.0**-min(kept, 15) * 2
+        assert said or ball.rad() < 10 * 10.0**-(dps or 15)
+        assert not said or ball.rad() > 10.0**-(dps or 15)
+
+
+def test_enough_bits_say_nothing():
+    solution = fts.solve(fts.CubicOscillator(), 24, "ball", precision=300)
+    assert float(silent(solution, "x", 0.3, lam=0.5, dps=60)) == pytest.approx(
+        silent(solution, "x", 0.3, lam=0.5), rel=1e-15)
 
 
 def test_tables_are_of_plain_floats(cubic):

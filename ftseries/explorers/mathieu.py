@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import ipywidgets
@@ -9,7 +10,7 @@ import numpy as np
 import traitlets
 from matplotlib.axes import Axes
 
-from ..errors import FTSeriesError
+from ..errors import ConvergenceWarning, FTSeriesError
 from ..figures import mathieu as figures
 from ..figures.style import GREY
 from ..problems import GeneralizedMathieu
@@ -71,7 +72,10 @@ def mathieu(order: int = 12, lam: float = 2.0, mu: float = -0.3, stored: int = 6
         exact, series = hill.eigenfunction(x, lam, mu), solution.truncate(order)
         figures.potential(left, [(lam, mu)])
         right.plot(x, exact, color=GREY, linewidth=5, alpha=0.5, label="Hill matrix")
-        right.plot(x, series.evaluate("psi", x, lam=lam, mu=mu), label=f"series of order {order}")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ConvergenceWarning)
+            values = series.evaluate("psi", x, lam=lam, mu=mu)
+        right.plot(x, values, label=f"series of order {order}")
         right.set(xlabel="$x$", ylabel=r"$\psi(x)$")
         right.legend()
 

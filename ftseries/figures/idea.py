@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,7 @@ from matplotlib.ticker import MaxNLocator
 
 from ..aliases import Array, ArrayLike
 from ..arguments import whole
+from ..errors import ConvergenceWarning
 from .style import COLOURS, GREY, LINES
 
 if TYPE_CHECKING:
@@ -93,8 +95,10 @@ def period_error(ax: Axes, sol: Solution, exact: Callable[[Array], Array], lam: 
     """
     for number, order in enumerate(orders):
         cut = sol.truncate(order)
-        period = 2 * np.pi / cut.evaluate("omega", lam=lam)
-        start = sol.evaluate("x", 0.0, lam=lam)
+        with warnings.catch_warnings():                         # the error is what is shown
+            warnings.simplefilter("ignore", ConvergenceWarning)
+            period = 2 * np.pi / cut.evaluate("omega", lam=lam)
+            start = sol.evaluate("x", 0.0, lam=lam)
         error = np.maximum(abs(period / exact(start) - 1), np.finfo(float).eps)
         ax.semilogy(lam, error, label=f"order {order}", color=COLOURS[number % 4],
                     linestyle=LINES[number % 4])
