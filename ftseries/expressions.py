@@ -53,6 +53,8 @@ _KNOWN = {*FUNCTIONS, "sqrt", "diff", "pi"}
 _NO_NUMBERS = {"nan", "NaN", "inf", "Inf", "infinity", "oo", "zoo", "I"}
 #: all that a text may consist of
 _FOREIGN = re.compile(r"[^\w\s+\-*/^().,']")
+#: a number, up to the sign of its exponent
+_WORD = re.compile(r"(\d+\.?\d*|\.\d+)([eE]\d*)?")
 _NUMBER = re.compile(r"(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 
 
@@ -137,6 +139,8 @@ def parsed(text: str) -> ast.expr:
         raise SyntaxError(foreign.group())
     words = re.findall(r"[\w.]+", text)
     _bound(max(map(len, words), default=0), DIGITS, "characters in one name or number")
+    if any(not (word[0].isalpha() or word[0] == "_" or _WORD.fullmatch(word)) for word in words):
+        raise SyntaxError                                    # Python reads 1if as 1 if, and warns
     _bound(len(words), LEAVES, "numbers and names")
     _bound(max(accumulate((sign == "(") - (sign == ")") for sign in re.findall(r"[()]", text)),
                default=0), DEPTH, "brackets in each other")

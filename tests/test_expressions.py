@@ -106,6 +106,7 @@ STRANGE = {
     "x.real": "cannot be read", "(lambda: x)()": "λ is written lam", "x if x else x": "cannot be",
     "[x for x in x]": "cannot be read", "x // 2": "cannot be read", "x and x": "cannot be read",
     "0x10*x": "write products with *", "1_000*x": "write products with *", "1j*x": "write prod",
+    "1if x else 1": "write products with *", "2e3x": "write products with *",
     "True*x": "cannot be read", "x(t, t)": "contains x(t, t), which is not understood",
     "x(t)(t)": "calls a number or a bracket", "2(x)": "calls a number or a bracket",
     "sin(x, x)": "cannot be read", "sin()": "cannot be read", "x()": "contains x(), which",
