@@ -278,7 +278,8 @@ def test_late_times_keep_their_digits(cubic, t):
                       * mpmath.sin(n * w * t) for m in range(13) for n in range(m + 1))
                  for z, w in zip(lam, omega)]
     assert value == pytest.approx(np.array(exact, dtype=float), abs=1e-14 * 0.07)
-    assert cubic.evaluate("x", t, lam=lam, derivative=1, dps=30).astype(float) == pytest.approx(
+    bits = [mpmath.mpf(z) for z in lam]
+    assert cubic.evaluate("x", t, lam=bits, derivative=1, dps=30).astype(float) == pytest.approx(
         value, abs=1e-14 * 0.07)
 
 
