@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import mpmath
-from flint import arb, arb_poly, fmpq
+from flint import arb, arb_poly, ctx, fmpq
 from mpmath.libmp import dps_to_prec, from_man_exp
 
 from .aliases import Exact, Mode, Modes
@@ -43,6 +43,9 @@ def ball(x: Any, read: Callable[[Exact], fmpq]) -> arb:
     """
     if isinstance(x, arb):
         return x
+    if isinstance(x, type(mpmath.pi)):                      # a constant, to any number of bits
+        value = read(mpmath.mp.make_mpf(x.func(ctx.prec + 10, "n")))
+        return arb(value, abs(arb(value)) * arb(2) ** (-ctx.prec - 8))
     irrational = getattr(x, "is_number", False) and not (x.is_Rational or x.is_Float)
     return to_ball(x) if irrational else arb(read(x))
 
