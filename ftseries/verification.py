@@ -18,6 +18,7 @@ from flint import arb, ctx, fmpq, fmpq_mpoly
 from tqdm import tqdm
 
 from .aliases import Coefficients, Number
+from .arguments import shown
 from .conversion import at
 from .degrees import highest
 from .errors import UndeterminedError
@@ -106,7 +107,7 @@ class _Check:
         return self.other(stages.known, range(start, self.top + 1), stages)
 
     def contradicts(self, equation: str, order: int) -> str:
-        return f"contradict equation {equation} of {self.problem!r} at order {order} of λ"
+        return f"contradict equation {equation} of {shown(self.problem)} at order {order} of λ"
 
     def other(self, found: Coefficients, orders: range, stages: Stages) -> str | None:
         """The first coefficients that are not those ``found``."""
@@ -117,7 +118,7 @@ class _Check:
                 row, other = rows[m], found[name][m]
                 if not all(self.ring.negligible(row.get(mode, zero) - other.get(mode, zero), size)
                            for mode in {*row, *other}):
-                    return (f"differ from those of {self.problem!r} in {name} at order {m} of "
+                    return (f"differ from those of {shown(self.problem)} in {name} at order {m} of "
                             "λ")
         return None
 
