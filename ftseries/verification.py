@@ -113,7 +113,8 @@ class _Check:
         """The first coefficients that are not those ``found``."""
         found, zero = _converted(found, self.ring), self.ring.number(0)
         for m in orders:
-            size = stages.sizes.get(m, 0.0)
+            # what settles a coordinate of order m, and rounds it, may stand some orders later
+            size = max(stages.sizes.get(k, 0.0) for k in range(m, m + self.late + 1))
             for name, rows in self.given.items():
                 row, other = rows[m], found[name][m]
                 if not all(self.ring.negligible(row.get(mode, zero) - other.get(mode, zero), size)
