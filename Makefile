@@ -40,7 +40,7 @@ help:
 	@echo
 	@echo "make notebooks  execute all notebooks and store their outputs in normal form"
 	@echo "make coverage   refuse if there is a line of the core that no test runs"
-	@echo "make fuzz       10,000 texts from a grammar: a solution or a sentence, in time"
+	@echo "make fuzz       10,000 texts from a grammar, altered files: right or refused, in time"
 	@echo "make mutants    change copies of the core in many places; the tests should notice"
 	@echo "make random     N=2000 random problems against independent truth, as a table"
 	@echo "make oldest     the tests with the oldest versions that pyproject.toml allows"
@@ -173,7 +173,7 @@ coverage: $(READY)
 	--fail-under=100
 
 fuzz: $(READY)
-	FTSERIES_FUZZ=$(or $(TRIES),10000) $(PYTEST) -s tests/test_fuzz.py
+	FTSERIES_FUZZ=$(or $(TRIES),10000) $(PYTEST) -s tests/test_fuzz.py tests/test_fuzz_files.py
 
 mutants: $(READY)
 	$(BIN)/python -m pip install $(LOCKED) -e ".[mutants]"

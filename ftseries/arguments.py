@@ -35,9 +35,8 @@ from .errors import InputError
 __all__ = ["DIGITS", "computed", "decimal", "labelled", "quotient", "rational", "real", "scalar",
            "scalars", "shown", "whole"]
 
-#: digits that a number may have, and the power of ten in which it may be written: Python refuses
-#: to print integers of more than 4300
-DIGITS = 4000
+#: digits that a number may have, and the power of ten in which it may be written
+DIGITS = 1000
 #: what NumPy and Python would turn into a real number, although it is none
 _UNREAL = (bool, np.bool_, complex, np.complexfloating, np.datetime64, np.timedelta64)
 

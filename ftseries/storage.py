@@ -87,6 +87,7 @@ def read(path: FilePath, problem: Problem | None = None) -> Contents:
         reason = f"{error} is missing" if isinstance(error, KeyError) else shown(error)
         if isinstance(error, FTSeriesError) or type(error) in (TypeError, ValueError):
             reason = " ".join(str(error).split())
+        reason = reason if len(reason) < 500 else f"{reason[:400]} … {reason[-60:]}"
         raise FileError(f"{os.fspath(path)!r} is damaged: {reason}; save the solution again"
                         ) from None
 
@@ -103,7 +104,7 @@ def decoded(coefficients: Json, problem: Problem, arithmetic: str) -> Coefficien
               "float": _float, "ball": _ball}[arithmetic]
     if set(coefficients) != set(problem.unknowns):
         raise ValueError(f"it has coefficients of {shown(sorted(coefficients))}, but the unknowns "
-                         f"of {problem!r} are {', '.join(problem.unknowns)}")
+                         f"of {shown(problem)} are {', '.join(problem.unknowns)}")
     return {name: [_row(name, row, decode) for row in coefficients[name]]
             for name in problem.unknowns}
 
@@ -125,11 +126,11 @@ def _contents(data: dict[str, Json], problem: Problem | None) -> Contents:
     elif (not isinstance(problem, Problem) or type(problem).__name__ != name
           or _plain(problem) != arguments):
         raise FileError(f"the file holds a solution of {_call(name, arguments)}, not of "
-                        f"{problem!r}")
+                        f"{shown(problem)}")
     arithmetic, order, precision = data["arithmetic"], data["order"], data["precision"]
     if arithmetic not in ("exact", "float", "ball") or (problem.parameters
                                                         and arithmetic != "exact"):
-        raise ValueError(f"arithmetic={shown(arithmetic)} is none that {problem!r} can have")
+        raise ValueError(f"arithmetic={shown(arithmetic)} is none that {shown(problem)} can have")
     if (precision is not None) != (arithmetic == "ball"):
         raise ValueError(f"precision={shown(precision)} in {arithmetic} arithmetic")
     precision = precision if precision is None else whole("precision", precision, 2)
@@ -161,7 +162,7 @@ def _plain(problem: Problem) -> dict[str, Json]:
 
 def _check_size(problem: Problem, order: int, precision: int | None) -> None:
     if order + problem.ahead > _ORDERS or (precision or 0) > _BITS:
-        raise FileError(f"{problem!r} to order {order} of λ has Fourier orders up to "
+        raise FileError(f"{shown(problem)} to order {order} of λ has Fourier orders up to "
                         f"{order + problem.ahead}" + f" and {precision} bits" * bool(precision)
                         + f"; files hold Fourier orders up to {_ORDERS} and up to {_BITS} bits")
 
@@ -174,13 +175,13 @@ def _check_ansatz(problem: Problem, coefficients: Coefficients) -> None:
             first = seed[name][m] if m < len(seed[name]) else None
             if first is not None and not _agree(row, first):
                 raise FileError(f"the coefficients of {name} at order {m} of λ are not those of "
-                                f"the seed of {problem!r}, so they were saved for another seed; "
-                                "load them with that, or solve again")
+                                f"the seed of {shown(problem)}, so they were saved for another "
+                                "seed; load them with that, or solve again")
             foreign = [] if first is not None else [
                 mode for mode in row if not _possible(problem, name, mode, m)]
             if foreign:
                 raise FileError(f"the file has the mode (sine, n) = {foreign[0]} of {name} at "
-                                f"order {m} of λ, which the ansatz of {problem!r} leaves out")
+                                f"order {m} of λ, which the ansatz of {shown(problem)} leaves out")
 
 
 def _agree(row: Modes, first: Mapping[Mode, Any]) -> bool:

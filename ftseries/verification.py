@@ -18,6 +18,7 @@ from flint import arb, ctx, fmpq, fmpq_mpoly
 from tqdm import tqdm
 
 from .aliases import Coefficients, Number
+from .arguments import shown
 from .conversion import at
 from .degrees import highest
 from .errors import UndeterminedError
@@ -106,18 +107,19 @@ class _Check:
         return self.other(stages.known, range(start, self.top + 1), stages)
 
     def contradicts(self, equation: str, order: int) -> str:
-        return f"contradict equation {equation} of {self.problem!r} at order {order} of λ"
+        return f"contradict equation {equation} of {shown(self.problem)} at order {order} of λ"
 
     def other(self, found: Coefficients, orders: range, stages: Stages) -> str | None:
         """The first coefficients that are not those ``found``."""
         found, zero = _converted(found, self.ring), self.ring.number(0)
         for m in orders:
-            size = stages.sizes.get(m, 0.0)
+            # what settles a coordinate of order m, and rounds it, may stand some orders later
+            size = max(stages.sizes.get(k, 0.0) for k in range(m, m + self.late + 1))
             for name, rows in self.given.items():
                 row, other = rows[m], found[name][m]
                 if not all(self.ring.negligible(row.get(mode, zero) - other.get(mode, zero), size)
                            for mode in {*row, *other}):
-                    return (f"differ from those of {self.problem!r} in {name} at order {m} of "
+                    return (f"differ from those of {shown(self.problem)} in {name} at order {m} of "
                             "λ")
         return None
 

@@ -1,6 +1,6 @@
 """Altered solution files and certificates, their checksums renewed: refused in time, or right.
 
-`make test` tries 150 of them, with FTSERIES_FUZZ=1 in the environment 6000.
+`make test` tries 150 of them, `make fuzz` some thousands.
 """
 
 import json
@@ -17,7 +17,6 @@ from ftseries import certify
 
 DATA = Path(__file__).parent / "data"
 SOLUTIONS = [json.loads(path.read_text()) for path in sorted(DATA.glob("*.json"))]
-TRIES = 3000 if fuzz.LONG else 75
 #: of one file, on a busy machine
 SECONDS = 20
 
@@ -28,7 +27,7 @@ def path(tmp_path_factory):
 
 
 @given(text=fuzz.altered(SOLUTIONS, st.one_of(fuzz.ATOMS, fuzz.ATOMS, fuzz.ABSURD)))
-@settings(max_examples=TRIES)
+@settings(max_examples=fuzz.TRIES)
 def test_a_file_is_refused_or_holds_a_solution(path, text):
     """What is loaded is what solving the same problem gives."""
     path.write_text(text)
@@ -61,7 +60,7 @@ def proofs(tmp_path_factory):
 
 
 @given(data=st.data())
-@settings(max_examples=TRIES)
+@settings(max_examples=fuzz.TRIES)
 def test_a_certificate_is_refused_or_checked(path, proofs, data):
     path.write_text(data.draw(fuzz.altered(proofs)))
     with fuzz.within(SECONDS):

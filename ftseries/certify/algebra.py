@@ -53,7 +53,7 @@ def given(name: str, value: Any) -> arb:
     try:
         return arb(arguments.decimal(value))
     except InputError as error:
-        raise InputError(f"{name}: {error}") from None
+        raise InputError(f"{name}={arguments.shown(value)} is not a number ({error})") from None
 
 
 def written(name: str, value: Any) -> str:
