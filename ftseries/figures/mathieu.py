@@ -121,8 +121,8 @@ def eigenvalue(ax: Any, sol: Solution, points: Sequence[tuple[float, float]] = (
     """The paper's figure 4: a(λ, μ) as a surface, on a three-dimensional Axes.
 
     The surface covers |μ| ≤ `largest` and ends where the error exceeds `tolerance`. The line on it
-    is SciPy's eigenvalue of the ordinary Mathieu equation, μ = 0; marks are the Hill matrix's
-    eigenvalues at the (λ, μ) of `points`.
+    is SciPy's eigenvalue of the ordinary Mathieu equation, μ = 0; marks are the series' eigenvalues
+    at the (λ, μ) of `points`.
     """
     mu = np.linspace(-largest, largest, 81)
     edge = reach(sol, mu, tolerance)
@@ -135,7 +135,7 @@ def eigenvalue(ax: Any, sol: Solution, points: Sequence[tuple[float, float]] = (
     ax.plot(ordinary, 0 * ordinary, mathieu.mathieu_b(ordinary), color=VERMILION, linestyle="-",
             linewidth=3, zorder=3, label=r"ordinary Mathieu equation, $\mu = 0$")
     for number, (x, y) in enumerate(points):
-        ax.plot([x], [y], [mathieu.eigenvalue(x, y)], "o", color=BLUE, markeredgecolor="white",
+        ax.plot([x], [y], [float(_eigenvalue(sol, x, y))], "o", color=BLUE, markeredgecolor="white",
                 markersize=9, zorder=4 + number, label=_place(x, y))
     ax.set(xlabel=r"$\lambda$", ylabel=r"$\mu$", xlim=(0, float(edge.max())))
     ax.set_zlabel("$a$")
