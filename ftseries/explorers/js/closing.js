@@ -23,20 +23,9 @@ function build(stage) {
   let time = stage.get("t");
   stage.playUntilTouched();
   plot.onPoint((x) => {
-    const lam = found(2 * Math.abs(x));
+    const lam = lambdaOf(eight, order, zero, 2 * Math.abs(x));
     stage.set("lam", Math.abs(lam - zero) < NEAR ? zero : lam);
   });
-
-  /** The λ up to the zero at which the gap has this size: S_x falls. */
-  function found(size) {
-    let [low, high] = [0, zero];
-    for (let i = 0; i < 40; i++) {
-      const middle = (low + high) / 2;
-      if (eight.closure(middle, order) > size) low = middle;
-      else high = middle;
-    }
-    return Number(low.toFixed(3));
-  }
 
   return {
     step(seconds) {
@@ -56,6 +45,17 @@ function build(stage) {
       plot.describe(`The arrows r₂₃, r₁₂, r₃₁ head to tail: ${text}`);
     },
   };
+}
+
+/** The λ up to the zero at which the gap has this size, since S_x falls there. */
+function lambdaOf(eight, order, zero, size) {
+  let [low, high] = [0, zero];
+  for (let i = 0; i < 40; i++) {
+    const middle = (low + high) / 2;
+    if (eight.closure(middle, order) > size) low = middle;
+    else high = middle;
+  }
+  return Number(low.toFixed(3));
 }
 
 /** The chain with its gap centred in the picture, and a handle on its open end. */

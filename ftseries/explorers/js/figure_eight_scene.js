@@ -178,8 +178,8 @@ function drawBody(context, theme, [x, y], body, physical) {
   context.restore();
 }
 
-/** Names beside the middles of the arrows and of the gap, away from the rest of the chain, and on the
- *  other side of an arrow where the name of the gap is in the way. */
+/** Names beside the middles of the arrows and of the gap, away from the rest of the chain, and somewhere
+ *  else along an arrow where the name of the gap is in the way. */
 export function drawNames(context, theme, chain, size) {
   const beside = (from, to, others, away, flat) => {
     const [middle, inside] = [between(from, to), between(...others)];
@@ -187,7 +187,8 @@ export function drawNames(context, theme, chain, size) {
     const normal = [(to[1] - from[1]) / length, (from[0] - to[0]) / length];
     const outward = (middle[0] - inside[0]) * normal[0] + (middle[1] - inside[1]) * normal[1];
     const side = Math.sign(Math.abs(outward) < 2 ? flat * normal[1] : outward);
-    return [side, -side].map((s) => [0, 1].map((i) => middle[i] + away * s * normal[i]));
+    const along = (u, s) => [0, 1].map((i) => from[i] + u * (to[i] - from[i]) + away * s * normal[i]);
+    return [0.5, 0.25, 0.75].flatMap((u) => [along(u, side), along(u, -side)]);
   };
   const write = (text, place, color) => {
     context.strokeStyle = theme.color("paper");
@@ -204,9 +205,9 @@ export function drawNames(context, theme, chain, size) {
   const [gapName] = beside(chain[0], chain[3], [chain[1], chain[2]], 23, 1);
   CHAIN.forEach((link, k) => {
     const others = chain.filter((_, i) => i !== k && i !== k + 1);
-    const [first, second] = beside(chain[k], chain[k + 1], others, 16, -1);
-    const near = Math.abs(first[0] - gapName[0]) < 70 && Math.abs(first[1] - gapName[1]) < 24;
-    write(link.name, open && near ? second : first, "ink");
+    const places = beside(chain[k], chain[k + 1], others, 16, -1);
+    const clear = ([x, y]) => Math.abs(x - gapName[0]) > 60 || Math.abs(y - gapName[1]) > 20;
+    write(link.name, (open && places.find(clear)) || places[0], "ink");
   });
   if (open) write(`S = ${size.toFixed(3)}`, gapName, "c4");
   context.restore();

@@ -173,6 +173,7 @@ class Stage {
   #frame(now) {
     if (this.complaint || !this.scene || !this.root.isConnected) return;
     const playing = this.scene.step && this.get("playing") && this.visible;
+    keep(this.status, { "aria-live": playing ? "off" : "polite" }); // no talk of every frame
     this.#guard(() => {
       if (playing) this.scene.step(Math.min(0.1, (now - (this.last ?? now)) / 1000));
       this.notes = this.typed ? [this.typed] : [];
