@@ -16,7 +16,7 @@ function build(stage) {
     label: "Three arrows head to tail",
     x: { range: [-REACH[0], REACH[0]] },
     y: { range: [-REACH[1], REACH[1]] },
-    aspect: 0.6,
+    aspect: 0.52,
     equal: true,
     frame: false,
   });

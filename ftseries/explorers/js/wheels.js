@@ -17,14 +17,14 @@ function build(stage) {
   const order = stage.stored;
   const plane = (title, label, half, tip) =>
     stage.plot({
-      title, label, equal: true, aspect: 1,
-      x: { label: "x", range: [-half, half] }, y: { label: "y", range: [-half, half] },
+      title, label, equal: true, aspect: 1.25,
+      x: { label: "x", range: [-0.75 * half, 0.75 * half] }, y: { label: "y", range: [-half, half] },
       legend: [[{ color: "muted", width: 1.2 }, tip]],
     });
-  const relative = plane("From body 2 to body 1", "Arrows that draw r₁₂", 2.4, "where its tip goes");
+  const relative = plane("From body 2 to body 1", "Arrows that draw r₁₂", 2.2, "where its tip goes");
   const body = plane("Body 3", "Arrows that draw the orbit of body 3", 1.2, "the orbit");
   const lengths = stage.plot({
-    title: "Lengths", label: "Lengths of the arrows against λ", aspect: 1,
+    title: "Lengths", label: "Lengths of the arrows against λ", aspect: 1.25,
     x: { label: "λ", range: RANGE }, y: { label: "length", range: [-0.5, 2.1] },
     legend: LOOKS.map(([n, dash]) => [{ color: COLORS[n], width: 2, dash }, n ? `n = ±${n}` : "n = 0"]),
   });
