@@ -16,7 +16,6 @@ function build(stage) {
     label: "Three arrows head to tail",
     x: { range: [-REACH[0], REACH[0]] },
     y: { range: [-REACH[1], REACH[1]] },
-    aspect: 0.52,
     equal: true,
     frame: false,
   });
@@ -37,6 +36,7 @@ function build(stage) {
       const lam = stage.number("lam", ...RANGE);
       time = stage.number("t", 0, 2 * Math.PI);
       const relatives = eight.set(lam, order).relatives(time);
+      plot.aspect = stage.root.clientWidth > 500 ? 0.52 : 0.85;
       plot.begin();
       drawChain(plot, relatives);
       const S = eight.closure(lam, order);

@@ -24,7 +24,7 @@ function build(stage) {
   const relative = plane("From body 2 to body 1", "Arrows that draw r₁₂", 2.2, "where its tip goes");
   const body = plane("Body 3", "Arrows that draw the orbit of body 3", 1.2, "the orbit");
   const lengths = stage.plot({
-    title: "Lengths", label: "Lengths of the arrows against λ", aspect: 1.25,
+    title: "Lengths", label: "Lengths of the arrows against λ",
     x: { label: "λ", range: RANGE }, y: { label: "length", range: [-0.5, 2.1] },
     legend: LOOKS.map(([n, dash]) => [{ color: COLORS[n], width: 2, dash }, n ? `n = ±${n}` : "n = 0"]),
   });
@@ -45,7 +45,9 @@ function build(stage) {
 
     draw() {
       const { panels } = stage;
-      const columns = stage.root.clientWidth > 620 ? "repeat(3, minmax(0, 1fr))" : "";
+      const wide = stage.root.clientWidth > 620;
+      const columns = wide ? "repeat(3, minmax(0, 1fr))" : "";
+      lengths.aspect = wide ? 1.25 : 0.7;
       if (panels.style.gridTemplateColumns !== columns) panels.style.gridTemplateColumns = columns;
       const lam = stage.number("lam", ...RANGE);
       time = stage.number("t", 0, 2 * Math.PI);
