@@ -11,7 +11,7 @@ import traitlets
 from matplotlib.axes import Axes
 
 from ..errors import ConvergenceWarning, InputError
-from ..figures.style import BLUE, GREEN, GREY, PURPLE, VERMILION
+from ..figures.style import BLUE, BODIES, GREEN, GREY, PURPLE
 from ..problems import FigureEight
 from ..problems.figure_eight import closure, closure_zero, positions, relative
 from ..references import newton
@@ -21,7 +21,6 @@ from .base import Explorer, View, link, pack, packed, picture
 __all__ = ["FigureEightView", "figure_eight"]
 
 RANGE = (0.0, 2.3)  # of λ, as in js/figure_eight.js
-BODIES = (BLUE, VERMILION, GREEN)  # 1, 2, 3
 PERIOD = np.linspace(0, 2 * np.pi, 241)
 
 
@@ -42,7 +41,7 @@ class FigureEightView(View):
         The last value of ``t`` that the running motion reported.
     """
 
-    scripts = ("figure_eight_scene.js", "figure_eight.js")
+    scripts = ("figure_eight_scene.js", "eight.js", "figure_eight.js")
     lam = traitlets.Float(2.0).tag(sync=True)
     t = traitlets.Float(0.0).tag(sync=True)
     speed = traitlets.Float(1.0).tag(sync=True)
@@ -134,7 +133,7 @@ def _bodies(ax: Axes, sol: Any, lam: float, t: float) -> None:
     ax.plot(orbit.real, orbit.imag, color=GREY, lw=0.8, ls="-")
     ax.plot(corners[[0, 3]].real, corners[[0, 3]].imag, color=PURPLE, lw=8, ls="-",
             alpha=0.45, label="gap $S$")
-    links = ((0, GREEN, "$r_{23}$"), (1, VERMILION, "$r_{12}$"), (2, BLUE, "$r_{31}$"))
+    links = ((0, BODIES[1], "$r_{23}$"), (1, BODIES[0], "$r_{12}$"), (2, BODIES[2], "$r_{31}$"))
     for k, colour, name in links:
         start, end = corners[k:k + 2]
         ax.annotate("", (end.real, end.imag), (start.real, start.imag), arrowprops={

@@ -35,7 +35,7 @@ class MathieuView(View):
     region = traitlets.Dict().tag(sync=True)
 
 
-def mathieu(order: int = 12, lam: float = 2.0, mu: float = -0.3, stored: int = 60) -> Explorer:
+def mathieu(order: int = 12, lam: float = 2.0, mu: float = -0.3, stored: int = 99) -> Explorer:
     """Explore the lowest odd solution of (M1): λ up to 3, |μ| up to 1/2, orders up to ``stored``.
 
     Parameters

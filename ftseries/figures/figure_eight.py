@@ -18,34 +18,39 @@ from matplotlib.collections import LineCollection
 from ..aliases import Array, ArrayLike, ComplexArray
 from ..arguments import labelled
 from ..errors import ConvergenceWarning
+from ..evaluation import amplitudes
 from ..problems import figure_eight as eight
-from .style import BLUE, COLOURS, GREEN, GREY, LINES, VERMILION
+from .style import BLUE, BODIES, COLOURS, GREEN, GREY, LINES, PURPLE, VERMILION
 
 if TYPE_CHECKING:
     from ..solution import Solution
 
-__all__ = ["choreography", "orbits", "closure", "zeros", "distance", "head_to_tail", "drift",
-           "convergence", "emblem"]
+__all__ = ["choreography", "orbits", "closure", "zeros", "distance", "head_to_tail", "wheels",
+           "lengths", "drift", "convergence", "emblem"]
 
 PERIOD = np.linspace(0, 2 * np.pi, 1201)
+ARROWS = {0: PURPLE, 1: BLUE, 2: VERMILION, 4: GREEN}   # by n, as in js/wheels.js
 
 
 def choreography(ax: Axes, positions: Callable[[Any], ComplexArray]) -> None:
-    """The eight lying, as in the paper's first figure, with the bodies at t = 0 and t = 2π/12.
+    """The eight lying, as in the paper's figure 7, with the bodies at t = 0 and t = 2π/12.
 
-    ``positions`` is a function of time that gives the three upright positions.
+    ``positions`` is a function of time that gives the three upright positions.  Arrows at t = 0
+    show where the bodies go.
     """
     _orbit(ax, _lying(positions, PERIOD)[2], color=GREY, lw=1.2)
     for t, prime, line in ((0, "", LINES[1]), (np.pi / 6, "'", LINES[2])):
         bodies = _lying(positions, t)
-        _orbit(ax, bodies[[0, 1, 2, 0]], color=BLUE if prime else VERMILION, ls=line)
-        for number, (z, colour) in enumerate(zip(bodies, COLOURS, strict=False), 1):
+        _orbit(ax, bodies[[0, 1, 2, 0]], color=GREY, ls=line, lw=1.5)
+        for number, (z, colour) in enumerate(zip(bodies, BODIES, strict=True), 1):
             ax.plot(z.real, z.imag, "o", color=colour, ms=9, mfc="none" if prime else colour)
             away = 16 * (z / abs(z) if abs(z) > 1e-6 else 1j)
             ax.annotate(f"${number}{prime}$", (z.real, z.imag), (away.real, away.imag),
                         textcoords="offset points", ha="center", va="center")
+    for now, later, colour in zip(*_lying(positions, np.array([0, 0.14])).T, BODIES, strict=True):
+        _arrow(ax, now, now + 0.2 * (later - now) / abs(later - now), colour)
     ax.margins(0.1, 0.25)
-    _plane(ax, "$y$", "$-x$")
+    _plane(ax)
 
 
 def orbits(ax: Axes, curves: Mapping[str, ComplexArray]) -> None:
@@ -53,7 +58,7 @@ def orbits(ax: Axes, curves: Mapping[str, ComplexArray]) -> None:
     for (label, z), colour, line in zip(labelled("curves", curves).items(),
                                         (BLUE, VERMILION, GREEN), LINES, strict=False):
         _orbit(ax, np.append(z, z[0]), color=colour, ls=line, label=label)
-    _plane(ax, "$x$", "$y$")
+    _plane(ax)
     ax.set_xticks([-0.3, 0, 0.3])
     ax.legend(loc="center left", bbox_to_anchor=(1, 0.5))
 
@@ -98,19 +103,67 @@ def distance(ax: Axes, t: Any, gap: Array) -> None:
                   ["0", *(f"${n}\\pi/3$" if n > 1 else r"$\pi/3$" for n in range(1, 6)), r"$2\pi$"])
 
 
-def head_to_tail(ax: Axes, relative: ComplexArray, origin: complex = 0) -> None:
-    """r_12, r_23, r_31 (``relative``) one after the other from ``origin``, and the gap S."""
-    corners = origin + np.concatenate([[0], np.cumsum(relative)])
-    labels = ((r"$\mathbf{r}_{12}$", (-14, 0)), (r"$\mathbf{r}_{23}$", (0, 9)),
-              (r"$\mathbf{r}_{31}$", (15, 0)))
-    for start, end, colour, (name, place) in zip(corners, corners[1:], COLOURS, labels,
-                                                 strict=False):
-        _arrow(ax, start, end, colour)
-        middle = (start + end) / 2
-        ax.annotate(name, (middle.real, middle.imag), place,
+def head_to_tail(ax: Axes, relative: ComplexArray, title: str = "") -> None:
+    """r_23, r_12, r_31 head to tail (``relative`` = r_12, r_23, r_31), the gap S in the middle."""
+    r_12, r_23, r_31 = relative
+    S = relative.sum()
+    corners = -S / 2 + np.cumsum([0, r_23, r_12, r_31])
+    ax.plot(corners[[0, 3]].real, corners[[0, 3]].imag, color=PURPLE, ls="-", lw=7, alpha=0.5)
+    names = (r"$\mathbf{r}_{23}$", r"$\mathbf{r}_{12}$", r"$\mathbf{r}_{31}$")
+    for start, end, name in zip(corners, corners[1:], names, strict=False):
+        _arrow(ax, start, end, GREY)
+        middle, aside = (start + end) / 2, 11j * (end - start) / abs(end - start)
+        if ((middle - corners.mean()) / aside).real < 0:
+            aside = -aside
+        ax.annotate(name, (middle.real, middle.imag), (aside.real, aside.imag),
                     textcoords="offset points", ha="center", va="center")
-    ax.plot([corners[0].real, corners[3].real], [corners[0].imag, corners[3].imag], color=GREY,
-            ls=LINES[2], label=r"gap $\mathbf{S}$")
+    ax.set(aspect="equal", title=title)
+    ax.margins(0.1)
+    ax.set_axis_off()
+
+
+def wheels(ax: Axes, sol: Solution, lam: float, t: float, body: bool = False) -> None:
+    """Rotating arrows that lead to r_12, or with ``body`` to body 3, each on its wheel.
+
+    ``sol`` is a solution that :func:`ftseries.figure_eight.expanded` has made.
+    """
+    curve = (eight.positions(sol, PERIOD, lam)[2] if body else eight.relative(sol, PERIOD, lam)[0])
+    _orbit(ax, curve, color=GREY, lw=1.2, ls="-")
+    tip = 0j
+    for n, c in sorted(_modes(sol, lam).items()):
+        arms: list[complex] = [c]
+        if body:
+            d = -2 / 3 * np.sin(2 * np.pi * n / 3) * c / 2j
+            arms = [d * np.exp(1j * n * t), -d * np.exp(-1j * n * t)] if n else []
+        elif n:
+            arms = [c / 2 * np.exp(1j * n * t), c / 2 * np.exp(-1j * n * t)]
+        for arm in arms:
+            if n:
+                _orbit(ax, tip + abs(arm) * np.exp(1j * PERIOD), color=GREY, lw=0.5, ls="-")
+            _arrow(ax, tip, tip + arm, ARROWS.get(n, GREY))
+            tip += arm
+    ax.plot(tip.real, tip.imag, "o", color=GREY)
+    _plane(ax)
+
+
+def lengths(ax: Axes, sol: Solution, lams: Array, lam: float) -> None:
+    """The lengths of the first of these arrows, with their signs, over λ; a mark at one ``lam``."""
+    modes = [_modes(sol, value) for value in lams]
+    for (n, colour), line in zip(ARROWS.items(), LINES, strict=False):
+        values = [abs(row[n] / 2) if n else row[n].real for row in modes]
+        ax.plot(lams, values, color=colour, ls=line, label=rf"$n=\pm{n}$" if n else "$n=0$")
+    ax.axhline(0, color=GREY, lw=0.8, ls="-")
+    ax.axvline(lam, color=GREY, lw=0.8, ls=":")
+    ax.set(xlabel=r"$\lambda$", ylabel="length")
+    ax.legend()
+
+
+def _modes(sol: Solution, lam: float) -> dict[int, complex]:
+    """c_n = X_n + i Y_n of r_12 = Σ c_n cos nt at one λ."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ConvergenceWarning)
+        parts = [(1, amplitudes(sol.table("x"), lam)), (1j, amplitudes(sol.table("y"), lam))]
+    return {n: unit * complex(value) for unit, part in parts for (_, n), value in part.items()}
 
 
 def drift(ax: Axes, lam: Array, spreads: Mapping[str, ArrayLike]) -> None:
@@ -137,7 +190,7 @@ def emblem(ax: Axes, positions: Callable[[Any], ComplexArray]) -> None:
     _orbit(ax, _lying(positions, PERIOD)[2], color=GREY, lw=1.5)
     tail = np.linspace(-0.9, 0.25, 60)
     bodies = _lying(positions, tail)
-    for path, colour in zip(bodies, COLOURS, strict=False):
+    for path, colour in zip(bodies, BODIES, strict=True):
         points = np.stack([path.real, path.imag], axis=1)
         pieces = list(np.stack([points[:-1], points[1:]], axis=1))
         ax.add_collection(LineCollection(pieces, colors=colour,
@@ -158,8 +211,8 @@ def _orbit(ax: Axes, z: ComplexArray, **look: Any) -> None:
     ax.plot(z.real, z.imag, **look)
 
 
-def _plane(ax: Axes, x: str, y: str) -> None:
-    ax.set(xlabel=x, ylabel=y, aspect="equal")
+def _plane(ax: Axes) -> None:
+    ax.set(xlabel="$x$", ylabel="$y$", aspect="equal")
 
 
 def _arrow(ax: Axes, start: complex, end: complex, colour: str) -> None:

@@ -25,8 +25,8 @@ from .style import BLUE, GREEN, GREY, LINES, PURPLE, VERMILION
 if TYPE_CHECKING:
     from ..solution import Solution
 
-__all__ = ["potential", "error", "reach", "eigenvalue", "error_map", "numerical", "psi",
-           "difference"]
+__all__ = ["potential", "well", "bands", "error", "reach", "eigenvalue", "error_map", "numerical",
+           "psi", "difference"]
 
 
 def potential(ax: Axes, points: Sequence[tuple[float, float]]) -> None:
@@ -44,6 +44,44 @@ def potential(ax: Axes, points: Sequence[tuple[float, float]]) -> None:
     _angles(ax, -1, 1, 0.5)
     ax.set_ylabel("potential")
     _legend_above(ax, len(points))
+
+
+def well(ax: Axes, lam: float, mu: float) -> None:
+    """The potential at one (λ, μ), the energy a, and ψ by the Hill matrix drawn on this level.
+
+    >>> from matplotlib.figure import Figure
+    >>> ax = Figure().subplots()
+    >>> well(ax, 1, 0)
+    >>> [line.get_label() for line in ax.lines]
+    ['potential', 'energy $a$', '$\\psi$, on this level']
+    """
+    x = np.linspace(-np.pi, np.pi, 401)
+    shape = lam**2 * np.cos(2 * x) + lam**4 * mu * np.cos(4 * x)
+    a, psi = mathieu.eigenvalue(lam, mu), mathieu.eigenfunction(x, lam, mu)
+    ax.plot(x, shape, color=GREY, linestyle="-", label="potential")
+    ax.axhline(a, color=VERMILION, linestyle=LINES[1], linewidth=1.5, label="energy $a$")
+    ax.plot(x, a + 0.2 * np.ptp(shape) * psi / abs(psi).max(), color=BLUE, linestyle="-",
+            label=r"$\psi$, on this level")
+    _angles(ax, -1, 1, 0.5)
+    ax.set_ylabel("energy")
+    ax.legend(loc="upper center", fontsize=8)
+
+
+def bands(ax: Axes, lam: Array, edges: Sequence[Array],
+          points: Sequence[tuple[float, float]] = ()) -> None:
+    """Bands of energy over λ between the first and second, third and fourth, … of the ``edges``.
+
+    ``points`` are marks at some (λ, a).
+    """
+    for low, high in zip(edges[::2], edges[1::2], strict=False):
+        ax.fill_between(lam, low, high, color=GREEN, alpha=0.4, linewidth=0,
+                        label="bands" if low is edges[0] else None)
+    for edge in edges:
+        ax.plot(lam, edge, color=GREEN, linestyle="-", linewidth=1)
+    for x, y in points:
+        ax.plot(x, y, "o", color=BLUE, markeredgecolor="white", markersize=9, label="$a$")
+    ax.set(xlabel=r"$\lambda$", ylabel="$a$", xlim=(lam[0], lam[-1]))
+    ax.legend(loc="lower left")
 
 
 def error(sol: Solution, lam: Any, mu: Any) -> Real:
@@ -83,8 +121,8 @@ def eigenvalue(ax: Any, sol: Solution, points: Sequence[tuple[float, float]] = (
     """The paper's figure 4: a(λ, μ) as a surface, on a three-dimensional Axes.
 
     The surface covers |μ| ≤ `largest` and ends where the error exceeds `tolerance`. The line on it
-    is SciPy's eigenvalue of the ordinary Mathieu equation, μ = 0; marks are the Hill matrix's
-    eigenvalues at the (λ, μ) of `points`.
+    is SciPy's eigenvalue of the ordinary Mathieu equation, μ = 0; marks are the series' eigenvalues
+    at the (λ, μ) of `points`.
     """
     mu = np.linspace(-largest, largest, 81)
     edge = reach(sol, mu, tolerance)
@@ -97,7 +135,7 @@ def eigenvalue(ax: Any, sol: Solution, points: Sequence[tuple[float, float]] = (
     ax.plot(ordinary, 0 * ordinary, mathieu.mathieu_b(ordinary), color=VERMILION, linestyle="-",
             linewidth=3, zorder=3, label=r"ordinary Mathieu equation, $\mu = 0$")
     for number, (x, y) in enumerate(points):
-        ax.plot([x], [y], [mathieu.eigenvalue(x, y)], "o", color=BLUE, markeredgecolor="white",
+        ax.plot([x], [y], [float(_eigenvalue(sol, x, y))], "o", color=BLUE, markeredgecolor="white",
                 markersize=9, zorder=4 + number, label=_place(x, y))
     ax.set(xlabel=r"$\lambda$", ylabel=r"$\mu$", xlim=(0, float(edge.max())))
     ax.set_zlabel("$a$")

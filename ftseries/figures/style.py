@@ -12,10 +12,12 @@ from typing import Any
 import matplotlib as mpl
 from cycler import cycler
 
-__all__ = ["VERMILION", "BLUE", "GREEN", "PURPLE", "COLOURS", "LINES", "GREY", "RC", "use",
-           "context"]
+__all__ = ["VERMILION", "BLUE", "GREEN", "PURPLE", "COLOURS", "BODIES", "LINES", "GREY", "RC",
+           "use", "context"]
 
 VERMILION, BLUE, GREEN, PURPLE = COLOURS = ("#D55E00", "#0072B2", "#009E73", "#CC79A7")
+#: the bodies 1, 2, 3, in every picture and explorer
+BODIES = (VERMILION, BLUE, GREEN)
 #: line styles that go with the colours, in the same order
 LINES = ("-", (0, (5, 2)), (0, (1, 1.3)), (0, (6, 1.5, 1, 1.5)))
 #: text, axes, ticks, thin lines that guide the eye

@@ -139,6 +139,17 @@ class PlanarEight(FigureEight):
         return super().scale("r")
 
 
+class ExpandedEight(PlanarEight):
+    """What :func:`ftseries.figure_eight.expanded` gives; λ is the angle's, as in (E5c)."""
+
+    unknowns = {"x": Field("cos", modes="even", powers="even"),
+                "y": Field("cos", modes="odd", powers="odd")}
+
+    @property
+    def lam_scale(self) -> Expr:
+        return sp.S.One
+
+
 class LemniscateEight(FigureEight):
     """The eight of T. Fujiwara, H. Fukuda, H. Ozaki, which moves on Bernoulli's lemniscate.
 

@@ -33,7 +33,8 @@ from ftseries.errors import InputError
 from ftseries.references._digits import GUARD, in_digits, number
 
 __all__ = [
-    "eigenfunction", "eigenvalue", "hill_matrix", "integrate", "mathieu_b", "sine_coefficients",
+    "band_edges", "eigenfunction", "eigenvalue", "hill_matrix", "integrate", "mathieu_b",
+    "sine_coefficients",
 ]
 
 LARGEST = 1000  # size of a truncated Hill matrix
@@ -96,6 +97,22 @@ def eigenfunction(x: Any, lam: Any, mu: Any = 0, index: int = 0, derivative: int
 def mathieu_b(lam: Any, index: int = 0) -> Any:
     """The eigenvalue at μ = 0 by SciPy: b_{2 index + 1}(λ²/2), for real λ."""
     return special.mathieu_b(2 * whole("index", index) + 1, real("lam", lam) ** 2 / 2)
+
+
+def band_edges(lam: Any, mu: Any = 0, count: int = 5) -> Any:
+    """The lowest a with a solution of period π or 2π, in ascending order, on the last axis.
+
+    Between the first and the second, the third and the fourth, … all solutions are bounded: these
+    are the bands; between the second and the third, … are the gaps. Real lam and mu broadcast.
+
+    >>> band_edges(0)                                       # 0, and all other squares twice
+    array([0., 1., 1., 4., 4.])
+    """
+    n = np.arange(-24, 25)
+    distance = abs(n[:, None] - n)
+    q, s = (part[..., None, None] for part in _couplings(real("lam", lam), real("mu", mu)))
+    matrix = np.diag(n**2.0) + q * (distance == 2) + s * (distance == 4)
+    return np.linalg.eigvalsh(matrix)[..., :whole("count", count)]
 
 
 def integrate(x: Any, a: Any, lam: Any, mu: Any = 0, start: ArrayLike = (0, 1)) -> Any:

@@ -17,7 +17,7 @@ ROOT = Path(__file__).parents[2]
 KNOWN = ("strict mode: use allowUnionTypes",)
 # The explorers of minibook/book/explorers.md, in the order of the page.
 NAMES = ("cubic", "mathieu", "figure_eight", "coefficients", "convergence", "stability",
-         "van_der_pol", "force_exponent")
+         "van_der_pol", "force_exponent", "bands", "closing", "wheels")
 
 
 def missing(what):

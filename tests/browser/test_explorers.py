@@ -32,9 +32,11 @@ def test_every_explorer_renders(visit, address):
     ("cubic", "λ", "ArrowRight", "λ = 1.01"), ("cubic", "order", "ArrowRight", "order 13"),
     ("cubic", "order", "ArrowLeft", "order 11"), ("cubic", "λ", "Home", "λ = 0.00"),
     ("mathieu", "λ", "ArrowLeft", "λ = 1.99"), ("mathieu", "μ", "ArrowRight", "μ = −0.29"),
-    ("mathieu", "order", "End", "order 60"),
+    ("mathieu", "order", "End", "order 99"),
     ("figure_eight", "λ", "Home", "λ = 0.000"), ("figure_eight", "order", "ArrowRight", "order 13"),
     ("coefficients", "order", "ArrowLeft", "order 23"),
+    ("bands", "λ", "End", "λ = 2.40"), ("bands", "order", "ArrowLeft", "order 98"),
+    ("closing", "λ", "Home", "λ = 0.000"), ("wheels", "λ", "Home", "λ = 0.000"),
     ("van_der_pol", "ε", "ArrowRight", "ε = 2.05"),
     ("van_der_pol", "order", "ArrowRight", "order 32"),
     ("force_exponent", "α", "ArrowRight", "α = 1.01"), ("force_exponent", "α", "Home", "α = −0.50"),
@@ -80,14 +82,15 @@ def test_time_slider_moves_the_particle(explorer):
 
 
 def test_play_and_pause(explorer):
+    """The button says what it does: Play becomes Pause, and needs no other sign."""
     shown = explorer("cubic")
-    play = shown.button("Play")
-    assert play.get_attribute("aria-pressed") == "false"
-    play.click()
+    shown.button("Play").click()
     shown.until(lambda: shown.value("t") > 0.1)
-    assert play.get_attribute("aria-pressed") == "true"
-    play.click()
+    assert shown.button("Play").count() == 0
+    assert shown.button("Pause").get_attribute("aria-pressed") is None
+    shown.button("Pause").click()
     shown.settle()
+    assert shown.button("Play").count() == 1
     stopped = shown.value("t")
     shown.page.wait_for_timeout(400)
     assert shown.value("t") == stopped
@@ -118,6 +121,89 @@ def test_the_button_of_the_eight_closes_the_chain(explorer):
     shown.until(lambda: abs(shown.number("Sₓ")) < TOLERANCE)            # λ glides
     assert abs(shown.number("λ₁₂") - zero) < TOLERANCE
     assert f"λ = {zero:.3f}" in shown.status
+
+
+@pytest.mark.parametrize("name, moving", [("bands", "λ"), ("closing", None), ("wheels", None)])
+def test_a_small_explorer_plays_until_it_is_touched(explorer, name, moving):
+    shown = explorer(name)
+    pixels, before = shown.pictures(), shown.value("λ")
+    shown.until(lambda: shown.pictures() != pixels)
+    assert (shown.value("λ") != before) == bool(moving) and shown.button("Pause").count() == 1
+    shown.handle("λ").press("ArrowLeft")
+    shown.settle()
+    still = shown.pictures()
+    shown.page.wait_for_timeout(500)
+    assert shown.pictures() == still and shown.button("Play").count() == 1
+    shown.button("Play").click()
+    shown.until(lambda: shown.pictures() != still)
+
+
+@pytest.mark.parametrize("name", ["bands", "closing", "wheels"])
+def test_a_small_explorer_rests_for_those_who_ask_for_it(explorer, name):
+    shown = explorer(name, reduced_motion="reduce")
+    pixels = shown.pictures()
+    shown.page.wait_for_timeout(800)
+    assert shown.pictures() == pixels and shown.button("Play").count() == 1
+    shown.button("Play").click()
+    shown.until(lambda: shown.pictures() != pixels)
+
+
+def test_the_open_end_is_dragged_until_the_chain_closes(explorer):
+    """The end follows the mouse, and is caught where the other end is."""
+    shown = explorer("closing", reduced_motion="reduce")
+    assert "stays open" in shown.status
+    box = shown.box.get_by_role("img").bounding_box()
+    middle = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    shown.page.mouse.move(middle[0] + 60, middle[1])
+    shown.page.mouse.down()
+    shown.settle()
+    half_open = shown.value("λ")
+    shown.page.mouse.move(middle[0] + 3, middle[1], steps=4)
+    shown.page.mouse.up()
+    zero = fts.figure_eight.closure_zero(fts.solve(fts.FigureEight(), 100, "float"))
+    assert 1.4 < half_open < zero and "the chain closes" in shown.status
+    assert shown.value("λ") == round(zero, 3)
+
+
+def test_the_arrow_that_does_not_turn_is_gone_where_the_chain_closes(explorer):
+    shown = explorer("wheels", reduced_motion="reduce")
+    assert "λ = 2.076" in shown.status and "it is gone" in shown.status
+    shown.type("λ", 1)
+    assert "a third of the gap" in shown.status
+
+
+def test_the_dot_leaves_the_edge_where_the_order_does_not_suffice(explorer):
+    shown = explorer("bands", reduced_motion="reduce")
+    shown.type("λ", 2)
+    assert "on the edge of the band" in shown.status
+    shown.type("order", 9)
+    assert "this order is not enough" in shown.status
+    shown.type("λ", 2.4)
+    shown.type("order", 99)
+    assert "no order helps" in shown.status
+
+
+def test_past_the_radius_the_wave_of_mathieu_is_not_drawn_as_walls(explorer):
+    """At λ = 3 order 99 the sum is 1e9 times too large: no curve, and the state says why."""
+    shown = explorer("mathieu")
+    shown.type("order", 99)
+    shown.type("λ", 3)
+    assert "outside the radius" in shown.status
+    columns = shown.box.locator("canvas").nth(2).evaluate("""canvas => {
+      const { width, height } = canvas;
+      const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
+      let most = 0;
+      for (let x = 0; x < width; x++) {
+        let blue = 0;
+        for (let y = 0; y < height; y++) {
+          const [r, g, b] = data.slice(4 * (x + width * y), 4 * (x + width * y) + 3);
+          if (r < 40 && g > 80 && b > 140) blue++;
+        }
+        most = Math.max(most, blue / height);
+      }
+      return most;
+    }""")
+    assert columns == 0
 
 
 def states(*ranges):

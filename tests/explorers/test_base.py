@@ -28,6 +28,9 @@ MAKE = {
     "convergence": lambda: explorers.convergence(eight(24), order=20),
     "stability": explorers.stability,
     "van_der_pol": explorers.van_der_pol,
+    "bands": lambda: explorers.bands(stored=99),
+    "closing": lambda: explorers.closing(order=30),
+    "wheels": lambda: explorers.wheels(order=20),
 }
 
 

@@ -42,7 +42,7 @@ def labelled(ax, label):
 
 def test_choreography_joins_the_line_and_the_isosceles_triangle(ax):
     pictures.choreography(ax, newton.figure_eight)
-    orbit, line, *dots = curves(ax)
+    orbit, line, *dots = curves(ax)[:9]
     triangle = dots.pop(3)
     assert np.ptp(orbit.real) > 3 * np.ptp(orbit.imag)                   # lying
     # Rounding of the reference is 1e-14.
@@ -50,7 +50,19 @@ def test_choreography_joins_the_line_and_the_isosceles_triangle(ax):
     sides = abs(np.diff(triangle))                                       # 1'2', 2'3', 3'1'
     assert abs(sides[0] - sides[2]) < 1e-13 and sides[1] < sides[0] / 2
     assert np.allclose(np.ravel(dots), [*line[:3], *triangle[:3]], rtol=0, atol=0)
-    assert [text.get_text() for text in ax.texts] == ["$1$", "$2$", "$3$", "$1'$", "$2'$", "$3'$"]
+    names = [text.get_text() for text in ax.texts if text.arrow_patch is None]
+    assert names == ["$1$", "$2$", "$3$", "$1'$", "$2'$", "$3'$"]
+    colours = [line.get_color() for line in ax.lines if line.get_marker() == "o"]
+    assert colours == [*style.BODIES, *style.BODIES]
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("$x$", "$y$")
+
+
+def test_choreography_shows_where_the_bodies_go(ax):
+    pictures.choreography(ax, newton.figure_eight)
+    bodies, velocity = (-1j * newton.figure_eight(0.0, d) for d in (0, 1))
+    ends = [complex(*text.xy) for text in ax.texts if text.arrow_patch is not None]
+    turn = np.angle((np.array(ends) - bodies) / velocity)
+    assert abs(turn).max() < 0.2                        # the chord of a short arc
 
 
 def test_orbits_are_closed_and_upright(ax, sol):
@@ -98,11 +110,33 @@ def test_distance_is_in_thousandths(ax, sol):
 
 
 def test_chain_of_vectors_leaves_the_gap(ax):
-    pictures.head_to_tail(ax, [1 + 1j, 1 - 1j, -1.5], origin=2)
-    x, y = labelled(ax, r"gap $\mathbf{S}$")
-    assert np.allclose(x, [2, 2.5]) and np.allclose(y, 0)
+    """r_23, r_12, r_31 in this order, the gap centred."""
+    pictures.head_to_tail(ax, np.array([1 + 1j, 1 - 1j, -1.5]), "a title")
+    gap, *_ = curves(ax)
+    assert np.allclose(gap, [-0.25, 0.25])
     arrows = [text for text in ax.texts if text.arrow_patch is not None]
-    assert [arrow.xy for arrow in arrows] == [(3, 1), (4, 0), (2.5, 0)]
+    assert [arrow.xy for arrow in arrows] == [(0.75, -1), (1.75, 0), (0.25, 0)]
+    assert ax.get_title() == "a title"
+
+
+@pytest.mark.parametrize("body", [False, True])
+def test_arrows_lead_to_the_point_of_the_orbit(ax, sol, body):
+    t, lam = 0.7, 2.0
+    pictures.wheels(ax, eight.expanded(sol), lam, t, body=body)
+    tip = curves(ax)[-1][0]
+    expected = eight.positions(sol, t, lam)[2] if body else eight.relative(sol, t, lam)[0]
+    assert abs(tip - expected) < 3e-3                   # what the second expansion leaves out
+    ends = [text.xy for text in ax.texts if text.arrow_patch is not None]
+    assert complex(*ends[-1]) == tip
+
+
+def test_lengths_show_the_constant_arrow_vanish(ax, sol):
+    lams = np.linspace(0, 2.2, 23)
+    pictures.lengths(ax, eight.expanded(sol), lams, 1.0)
+    _, still = labelled(ax, "$n=0$")
+    assert still[0] == 3 ** (1 / 3) and (still[:-2] > 0).all() and still[-1] < 0
+    _, turning = labelled(ax, r"$n=\pm1$")
+    assert turning[0] == 0 and (np.diff(turning[:20]) > 0).all()
 
 
 def test_drift_and_convergence_are_logarithmic(ax):

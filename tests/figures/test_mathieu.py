@@ -80,7 +80,7 @@ def test_eigenvalue_shows_the_ordinary_mathieu_curve(sol):
     lam, mu, a = line.get_data_3d()
     assert np.all(np.asarray(mu) == 0) and lam[0] == 0 and lam[-1] > 2.7
     np.testing.assert_allclose(a, mathieu_b(1, np.asarray(lam) ** 2 / 2), rtol=0, atol=1e-11)
-    assert mark.get_data_3d()[2][0] == pytest.approx(mathieu.eigenvalue(LAM, MU), abs=1e-13)
+    assert mark.get_data_3d()[2][0] == sol.evaluate("a", lam=LAM, mu=MU)      # in the surface
 
 
 def test_numerical_follows_the_closed_form(sol):
@@ -119,3 +119,22 @@ def test_angles_are_labelled_in_multiples_of_pi():
     axes = drawn(pictures.potential, [(1, 0)])
     shown = [tick.get_text() for tick in axes.get_xticklabels()]
     assert shown == [r"$-\pi$", r"$-\pi/2$", "0", r"$\pi/2$", r"$\pi$"]
+
+
+def test_well_shows_the_eigenfunction_on_its_level():
+    potential, level, wave = drawn(pictures.well, LAM, MU).lines
+    a = mathieu.eigenvalue(LAM, MU)
+    assert set(level.get_ydata()) == {a}
+    x, height = wave.get_xdata(), wave.get_ydata() - a
+    true = mathieu.eigenfunction(x, LAM, MU)
+    np.testing.assert_allclose(height / height.max(), true / true.max(), rtol=0, atol=1e-12)
+    assert potential.get_ydata()[200] == pytest.approx(LAM**2 + LAM**4 * MU)
+
+
+def test_bands_are_shaded_between_their_edges():
+    lam = np.linspace(0, 2, 5)
+    edges = mathieu.band_edges(lam, MU).T
+    axes = drawn(pictures.bands, lam, edges, [(LAM, mathieu.eigenvalue(LAM, MU))])
+    assert len(axes.collections) == 2 and len(axes.lines) == 6
+    first = axes.collections[0].get_paths()[0].vertices
+    assert first[:, 1].min() == edges[0].min() and first[:, 1].max() == edges[1].max()

@@ -250,3 +250,44 @@ class TestLemniscate:
         t = np.linspace(0, 6, 50)
         assert orbit.lam == pytest.approx(lemniscate.lam(), abs=1e-13)
         assert np.abs(eight.positions(orbit, t, orbit.lam) - lemniscate.bodies(t)).max() < 1e-12
+
+
+# --- r e^{iφ}, expanded once more -----------------------------------------------------------------
+
+def test_expanded_gives_the_constant_of_the_closure(order_30):
+    """S_x = 3^{4/3} (1 - 5/16 λ² + 7/256 λ⁴ - …): the first terms by hand."""
+    sol = eight.expanded(order_30)
+    assert [sol.coefficient("x", 0, m) / c for m in (0, 2, 4)] == [
+        1, -sp.Rational(5, 16), sp.Rational(7, 256)]
+    assert [sol.coefficient("y", 1, m) / c for m in (1, 3)] == [1, -sp.Rational(1, 8)]
+
+
+def test_expanded_has_no_mode_that_three_divides(order_30):
+    for name, parity in (("x", 0), ("y", 1)):
+        modes = {n for _, n in eight.expanded(order_30).table(name)}
+        assert all((n == 0 or n % 3) and n % 2 == parity for n in modes)
+
+
+def test_expanded_is_the_same_motion(order_30):
+    t, sol = np.linspace(0, 6, 50), eight.expanded(order_30)
+    for lam, tolerance in ((0.5, 1e-14), (1.5, 1e-4)):        # (1.5/2.23)^31 = 5e-6, times a factor
+        gap = abs(eight.relative(sol, t, lam) - eight.relative(order_30, t, lam)).max()
+        assert gap < tolerance
+    assert round(eight.closure_zero(eight.expanded(order_30.truncate(6))), 5) == 2.05428
+
+
+@pytest.mark.parametrize("exponent", [0, "1/2"])
+def test_expanded_knows_other_forces(exponent):
+    sol = fts.solve(fts.FigureEight(exponent), 20)
+    again = eight.expanded(sol)
+    assert again.problem.exponent == sol.problem.exponent
+    assert abs(eight.positions(again, 1.0, 0.5) - eight.positions(sol, 1.0, 0.5)).max() < 1e-12
+
+
+@pytest.mark.parametrize("make", [
+    lambda: fts.solve(fts.CubicOscillator(a=1), 4),
+    lambda: fts.solve(fts.FigureEight(), 4, "float"),
+    lambda: fts.solve(PlanarEight(), 4), lambda: "eight"])
+def test_expanded_takes_exact_eights_alone(make):
+    with pytest.raises(fts.InputError, match="is not an exact figure eight; give solve"):
+        eight.expanded(make())

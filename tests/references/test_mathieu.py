@@ -9,6 +9,7 @@ from scipy import special
 
 from ftseries.errors import InputError
 from ftseries.references import mathieu
+from ftseries.references.floquet import hill_monodromy
 
 EPS = np.finfo(float).eps
 
@@ -182,3 +183,24 @@ class TestIdentities:
 def test_refusals(call, name):
     with pytest.raises(InputError, match=name):
         call()
+
+
+class TestBandEdges:
+    @pytest.mark.parametrize(("lam", "mu"), [(0.7, 0), (2.0, -0.3), (1.5, 0.4)])
+    def test_edges_are_where_the_discriminant_is_two(self, lam, mu):
+        """Period π where tr M = 2, change of sign where tr M = -2: another route."""
+        edges = mathieu.band_edges(lam, mu)
+        assert np.all(np.diff(edges) > 0)
+        for a, trace in zip(edges, (2, -2, -2, 2, 2), strict=True):
+            assert abs(hill_monodromy(a, lam, mu, dps=15)[0, 0] * 2 - trace) < 1e-9
+
+    def test_ordinary_mathieu_equation(self):
+        q = 1.3
+        names = [special.mathieu_a(0, q), special.mathieu_b(1, q), special.mathieu_a(1, q),
+                 special.mathieu_b(2, q), special.mathieu_a(2, q)]
+        np.testing.assert_allclose(mathieu.band_edges(np.sqrt(2 * q)), names, rtol=0, atol=1e-12)
+
+    def test_the_second_is_the_odd_eigenvalue(self):
+        lam = np.linspace(0, 2.4, 25)
+        edges = mathieu.band_edges(lam, -0.3, count=2)
+        np.testing.assert_allclose(edges[:, 1], mathieu.eigenvalue(lam, -0.3), rtol=0, atol=1e-12)

@@ -1,87 +1,13 @@
 // The explorer of the figure eight: three bodies, their chain of relative vectors, and S_x(λ).
-//
-//   r_12(t) = r(t) e^{iφ(t)},  r_23(t) = r_12(t - 2π/3),  r_31(t) = r_12(t + 2π/3);
-//   r_1 = (r_12 - r_31)/3 and cyclically (E4a);  S = r_12 + r_23 + r_31 (E4),
-//
-// as in ftseries/problems/figure_eight.py.
+// See figure_eight.py; the mathematics is in eight.js.
 
 import { linspace } from "./series.js";
 import { mount } from "./view.js";
-import { drawScene, extent, gap, MARGIN } from "./figure_eight_scene.js";
+import { drawScene, extent, MARGIN } from "./figure_eight_scene.js";
+import { bodiesOf, Eight, GRID, subscript, verdict } from "./eight.js";
 
-const THIRD = (2 * Math.PI) / 3;
-const SAMPLES = 240;
-const GRID = linspace(0, 2 * Math.PI, SAMPLES + 1);
 const RANGE = [0, 2.3];
 const TICK = 0.1; // seconds between two reports of the running time to its slider
-
-export class Eight {
-  constructor(r, phi) {
-    Object.assign(this, { r, phi, zeros: new Map() });
-  }
-
-  set(lam, order) {
-    this.radii = this.r.amplitudes(lam, order);
-    this.angles = this.phi.amplitudes(lam, order);
-    return this;
-  }
-
-  /** r_12 at times, as {x, y}. */
-  vectors(times) {
-    const length = this.r.sample(this.radii, times);
-    const angle = this.phi.sample(this.angles, times);
-    return {
-      x: length.map((r, i) => r * Math.cos(angle[i])),
-      y: length.map((r, i) => r * Math.sin(angle[i])),
-    };
-  }
-
-  /** [r_12, r_23, r_31] at a time. */
-  relatives(time) {
-    const { x, y } = this.vectors([time, time - THIRD, time + THIRD]);
-    return [0, 1, 2].map((i) => [x[i], y[i]]);
-  }
-
-  /** r_12 on GRID, and the orbit that the three bodies share: r_1 on GRID. */
-  motion() {
-    const vectors = this.vectors(GRID);
-    const orbit = (values) =>
-      values.map((value, i) => (value - values[(i + SAMPLES / 3) % SAMPLES]) / 3);
-    return { vectors, orbit: { x: orbit(vectors.x), y: orbit(vectors.y) } };
-  }
-
-  /** S_x of (E4) at t = 0. */
-  closure(lam, order) {
-    return gap(this.set(lam, order).relatives(0))[0];
-  }
-
-  /** λ_n: the smallest positive zero of the closure below 4, or NaN. */
-  zero(order) {
-    if (!this.zeros.has(order)) this.zeros.set(order, this.#search(order));
-    return this.zeros.get(order);
-  }
-
-  #search(order) {
-    let [left, right] = [0, 0];
-    const sign = Math.sign(this.closure(0, order));
-    do {
-      [left, right] = [right, right + 0.02];
-      if (right > 4) return NaN;
-    } while (Math.sign(this.closure(right, order)) === sign);
-    for (;;) {
-      const middle = (left + right) / 2;
-      if (middle <= left || middle >= right) return middle;
-      if (Math.sign(this.closure(middle, order)) === sign) left = middle;
-      else right = middle;
-    }
-  }
-}
-
-/** (E4a): the three bodies from their relative vectors. */
-export function bodiesOf([r12, r23, r31]) {
-  const third = (a, b) => [(a[0] - b[0]) / 3, (a[1] - b[1]) / 3];
-  return [third(r12, r31), third(r23, r12), third(r31, r23)];
-}
 
 function build(stage) {
   const eight = new Eight(stage.series("r"), stage.series("phi"));
@@ -151,9 +77,10 @@ function build(stage) {
 
       if (drawn.lam !== lam || drawn.order !== order) {
         const S = eight.closure(lam, order);
+        const sizes = eight.gaps(lam, order);
         const { vectors, orbit } = eight.set(lam, order).motion();
         drawn = { lam, order, S, orbit, half: extent(vectors, orbit) };
-        const text = describe(order, lam, S);
+        const text = describe(order, lam, S, sizes);
         stage.say(text);
         plot.describe(`Three bodies on one orbit, and their relative vectors: ${text}`);
       }
@@ -235,12 +162,11 @@ function frame(plot, [halfX, halfY]) {
   plot.y.range = [-height / 2 / scale, height / 2 / scale];
 }
 
-function describe(order, lam, S) {
-  const size = Math.abs(S);
-  let verdict = "the chain stays open, so this is no motion of three bodies under gravitation";
-  if (size < 0.05) verdict = "the chain nearly closes";
-  if (size < 5e-4) verdict = "the chain closes: Newton’s equations, as well as this order can";
-  return `order ${order}, λ = ${lam.toFixed(3)}, gap ${size.toFixed(3)}: ${verdict}.`;
+/** The gap of the verdict is the one at t = 0, as in the paper; this order lets it vary so much. */
+function describe(order, lam, S, sizes) {
+  const [least, most] = sizes.map((size) => size.toFixed(3));
+  const range = least === most ? "at all times" : `at t = 0, between ${least} and ${most} in a period`;
+  return `order ${order}, λ = ${lam.toFixed(3)}, gap ${Math.abs(S).toFixed(3)} ${range}: ${verdict(S)}.`;
 }
 
 function samples(series) {
@@ -254,10 +180,6 @@ function signed(value, decimals) {
 function complex([x, y], digits) {
   const sign = y < 0 ? "−" : "+";
   return `${signed(x, digits)} ${sign} ${Math.abs(y).toFixed(digits)} i`;
-}
-
-function subscript(integer) {
-  return String(integer).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);
 }
 
 export default { render: (context) => mount(context, build) };

@@ -9,7 +9,7 @@
 // on. By (E4a) its corners miss the bodies 3, 2, 1, 3 by -S/2, -S/6, S/6, S/2 when the gap is
 // centred on body 3: the chain and the triangle of the bodies become one as S goes to zero.
 
-export const BODY_COLORS = ["c1", "c2", "c3"];
+export const BODY_COLORS = ["c2", "c1", "c3"]; // as in the figures
 export const CHAIN = [
   { vector: 1, from: 2, to: 1, name: "r₂₃" },
   { vector: 0, from: 1, to: 0, name: "r₁₂" },
@@ -110,7 +110,7 @@ function drawTrail(plot, { orbit, time }, body, strength) {
   context.restore();
 }
 
-function drawGap(context, theme, chain) {
+export function drawGap(context, theme, chain) {
   context.save();
   context.strokeStyle = theme.color("c4");
   context.lineCap = "round";
@@ -123,7 +123,7 @@ function drawGap(context, theme, chain) {
   context.restore();
 }
 
-function drawArrow(context, [ax, ay], [bx, by], colors, spare) {
+export function drawArrow(context, [ax, ay], [bx, by], colors, spare) {
   const length = Math.hypot(bx - ax, by - ay);
   if (length < 2 * spare) return;
   const [ux, uy] = [(bx - ax) / length, (by - ay) / length];
@@ -146,7 +146,7 @@ function drawArrow(context, [ax, ay], [bx, by], colors, spare) {
   context.fill();
 }
 
-function drawCorner(context, theme, [x, y]) {
+export function drawCorner(context, theme, [x, y]) {
   context.beginPath();
   context.arc(x, y, 3, 0, 2 * Math.PI);
   context.fillStyle = theme.color("paper");
@@ -178,15 +178,19 @@ function drawBody(context, theme, [x, y], body, physical) {
   context.restore();
 }
 
-/** Names beside the middles of the arrows and of the gap, away from the rest of the chain. */
-function drawNames(context, theme, chain, size) {
-  const name = (text, from, to, others, away, flat, color) => {
+/** Names beside the middles of the arrows and of the gap, away from the rest of the chain, and somewhere
+ *  else along an arrow where the name of the gap is in the way. */
+export function drawNames(context, theme, chain, size) {
+  const beside = (from, to, others, away, flat) => {
     const [middle, inside] = [between(from, to), between(...others)];
     const length = distance(from, to) || 1;
     const normal = [(to[1] - from[1]) / length, (from[0] - to[0]) / length];
     const outward = (middle[0] - inside[0]) * normal[0] + (middle[1] - inside[1]) * normal[1];
     const side = Math.sign(Math.abs(outward) < 2 ? flat * normal[1] : outward);
-    const place = [0, 1].map((i) => middle[i] + away * side * normal[i]);
+    const along = (u, s) => [0, 1].map((i) => from[i] + u * (to[i] - from[i]) + away * s * normal[i]);
+    return [0.5, 0.25, 0.75].flatMap((u) => [along(u, side), along(u, -side)]);
+  };
+  const write = (text, place, color) => {
     context.strokeStyle = theme.color("paper");
     context.fillStyle = theme.color(color);
     context.strokeText(text, ...place);
@@ -196,15 +200,16 @@ function drawNames(context, theme, chain, size) {
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.lineWidth = 4;
-  context.font = `italic 15px Georgia, "Times New Roman", serif`;
+  context.font = `italic 16px Georgia, "Times New Roman", serif`;
+  const open = distance(chain[0], chain[3]) > 24;
+  const [gapName] = beside(chain[0], chain[3], [chain[1], chain[2]], 23, 1);
   CHAIN.forEach((link, k) => {
     const others = chain.filter((_, i) => i !== k && i !== k + 1);
-    name(link.name, chain[k], chain[k + 1], others, 16, -1, "ink");
+    const places = beside(chain[k], chain[k + 1], others, 16, -1);
+    const clear = ([x, y]) => Math.abs(x - gapName[0]) > 60 || Math.abs(y - gapName[1]) > 20;
+    write(link.name, (open && places.find(clear)) || places[0], "ink");
   });
-  if (distance(chain[0], chain[3]) > 24) {
-    const text = `S = ${size.toFixed(3)}`;
-    name(text, chain[0], chain[3], [chain[1], chain[2]], 23, 1, "c4");
-  }
+  if (open) write(`S = ${size.toFixed(3)}`, gapName, "c4");
   context.restore();
 }
 

@@ -10,7 +10,7 @@ const [FINE, COARSE] = [480, 160]; // steps over a third of the period: for numb
 const GRID = linspace(0, 2 * Math.PI, 361);
 const EXPONENTS = linspace(...RANGE, 126);
 const ON_CIRCLE = 1e-7; // a modulus beyond 1 + this is instability
-const BODIES = ["c1", "c2", "c3"];
+const BODIES = ["c2", "c1", "c3"]; // as in the figures
 
 export default { render: (context) => mount(context, build) };
 

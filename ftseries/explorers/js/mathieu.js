@@ -78,7 +78,7 @@ function build(stage) {
     curve.y.range = [low - room, high + room];
     curve.begin();
     curve.line(LAMBDAS, cache.curve.exact, "exact");
-    curve.line(LAMBDAS, LAMBDAS.map((l) => a.scalar(l, order)), "series");
+    curve.line(LAMBDAS, inside(LAMBDAS.map((l) => a.scalar(l, order)), curve.y.range), "series");
     curve.down(radius, "limit");
     curve.dot(lam, hill.a, { color: "muted" });
     curve.dot(lam, value, "series");
@@ -97,14 +97,16 @@ function build(stage) {
     wave.y.range = [-reach, reach];
     wave.begin();
     wave.line(PLACES, exact, "exact");
-    wave.line(PLACES, series, "series");
     const difference = series.map((y, i) => Math.abs(y - exact[i]));
+    const shown = Math.max(...difference) < reach;
+    if (shown) wave.line(PLACES, series, "series");
+    else wave.text(Math.PI, 0, "the series has no value here", "ink", { align: "center", dy: -14, size: 13 });
     error.begin();
     error.line(PLACES, difference.map((y) => Math.max(1e-16, y)), "error");
 
-    const inside = lam < radius ? "inside" : "outside";
+    const side = lam < radius ? "inside" : "outside";
     stage.say(
-      `order ${order}, λ = ${lam.toFixed(2)}, μ = ${mu.toFixed(2).replace("-", "−")}, ${inside} the radius ` +
+      `order ${order}, λ = ${lam.toFixed(2)}, μ = ${mu.toFixed(2).replace("-", "−")}, ${side} the radius ` +
         `${radius.toFixed(2)}; error of a ${short(Math.abs(value - hill.a), 1)}, of ψ ${short(Math.max(...difference), 1)}`,
     );
     stage.show([
@@ -139,6 +141,11 @@ function edge({ mu, radius }, at) {
   const i = Math.max(0, mu.findLastIndex((m, j) => m <= at && j < mu.length - 1));
   const part = (at - mu[i]) / (mu[i + 1] - mu[i]);
   return radius[i] + part * (radius[i + 1] - radius[i]);
+}
+
+/** Values outside a range become gaps: a series that diverges leaves the picture once. */
+function inside(values, [low, high]) {
+  return values.map((y) => (y < low || y > high ? NaN : y));
 }
 
 function colour(error) {

@@ -15,6 +15,7 @@
 //   plot.dot(x, y, style, radius = 5)     plot.text(x, y, "text", style, { align, dx, dy })
 //   plot.across(y, style)                 a horizontal line;  plot.down(x, style)  a vertical one
 //   plot.arrow(x0, y0, x1, y1, style)     plot.band(x0, x1, style)  a shaded interval of x
+//   plot.fill(xs, lower, upper, style)    the area between two curves
 //   plot.image(pixels, columns, rows)     RGBA bytes, first row at the bottom, over the whole area
 //   plot.px(x), plot.py(y)                data to CSS pixels;  plot.context  is the 2d context
 //   plot.onPoint((x, y) => …)             taps, clicks and drags, in data units
@@ -223,6 +224,14 @@ export class Plot {
 
   down(x, style) {
     this.line([x, x], this.y.range, style);
+  }
+
+  fill(xs, lower, upper, style) {
+    this.#with(style, (context) => {
+      xs.forEach((x, i) => context.lineTo(this.px(x), this.py(lower[i])));
+      for (let i = xs.length - 1; i >= 0; i--) context.lineTo(this.px(xs[i]), this.py(upper[i]));
+      context.fill();
+    });
   }
 
   band(x0, x1, style) {

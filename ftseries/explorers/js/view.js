@@ -20,7 +20,9 @@
 //
 // Further: stage.get(trait), stage.set(trait, value) (linked controls follow), stage.redraw(),
 // stage.note(text) (a hint for this drawing only), stage.root, stage.panels (the grid of plots),
-// stage.reducedMotion(), stage.onRemove(function). A toggle button linked to a trait is an ordinary
+// stage.reducedMotion(), stage.onRemove(function). stage.playUntilTouched() in build starts the motion,
+// which ends when the reader takes a slider or a picture (the button named Play brings it back);
+// readers who prefer reduced motion start it themselves. A toggle button linked to a trait is an ordinary
 // button if the view sets the trait back to false in draw().
 //
 // `throw new Complaint("One sentence.")` in build or draw puts the sentence in the explorer's place;
@@ -145,6 +147,22 @@ class Stage {
     return matchMedia("(prefers-reduced-motion: reduce)").matches;
   }
 
+  playUntilTouched() {
+    if (this.reducedMotion()) return;
+    this.set("playing", true);
+    requestAnimationFrame(() => {
+      const box = this.root.closest(".ft-explorer") ?? this.root;
+      const still = (event) => {
+        if (event.target.closest("button") || event.key === "Tab") return;
+        if (event.target.closest(".noUi-target, .widget-readout, canvas")) this.set("playing", false);
+      };
+      for (const event of ["pointerdown", "keydown"]) {
+        box.addEventListener(event, still, true);
+        this.onRemove(() => box.removeEventListener(event, still, true));
+      }
+    });
+  }
+
   redraw() {
     this.frame ??= requestAnimationFrame((now) => {
       this.frame = undefined;
@@ -155,6 +173,7 @@ class Stage {
   #frame(now) {
     if (this.complaint || !this.scene || !this.root.isConnected) return;
     const playing = this.scene.step && this.get("playing") && this.visible;
+    keep(this.status, { "aria-live": playing ? "off" : "polite" }); // no talk of every frame
     this.#guard(() => {
       if (playing) this.scene.step(Math.min(0.1, (now - (this.last ?? now)) / 1000));
       this.notes = this.typed ? [this.typed] : [];
@@ -222,7 +241,11 @@ class Stage {
         keep(readout, { role: "textbox", "aria-label": `${name}, typed` });
       }
       for (const button of controls.querySelectorAll(".widget-toggle-button")) {
-        keep(button, { "aria-pressed": String(button.classList.contains("mod-active")) });
+        const active = button.classList.contains("mod-active");
+        const [shown, wanted] = [button.textContent, active ? "Pause" : "Play"];
+        if (shown !== "Play" && shown !== "Pause") keep(button, { "aria-pressed": String(active) });
+        else if (shown !== wanted) button.textContent = wanted;
+        if (button.title === "Play") button.removeAttribute("title");
       }
     };
     dress();
