@@ -17,7 +17,7 @@ from .aliases import Expr, Function, Json, Mode
 from .arguments import decimal, whole
 from .errors import InputError, NonAnalyticError
 from .expansion import Expansion
-from .expressions import by_name, expression, name_of
+from .expressions import by_name, expression, name_of, quoted
 from .first_steps import first_steps
 from .laurent import PolynomialRing, SurdRing
 from .problem import Field, Problem, Scalar
