@@ -30,6 +30,7 @@ from flint import arb, ctx
 from .. import arguments
 from ..errors import FTSeriesError, InputError
 from ..laurent import BallRing
+from ..precision import working
 
 if TYPE_CHECKING:
     from ..trig import Trig
@@ -120,7 +121,7 @@ def decimal(x: arb, n: int) -> str:
         ...
     ftseries.certify.algebra.NotProved: not proved: 3 digits of [0.12500000 +/- 1.01e-9]
     """
-    with ctx.workdps(n + 40):
+    with working(bits=int((n + 40) * 3.33)):
         whole = (abs(x) * arb(10)**n).floor().unique_fmpz()
     if whole is None:
         raise NotProved(f"not proved: {n} digits of {x.str(10)}")
@@ -134,7 +135,8 @@ def power_of_ten(x: arb) -> str:
     >>> power_of_ten(arb("1.2e-1007"))
     '1e-1006'
     """
-    return f"1e{(x.log() / arb(10).log()).upper().ceil().unique_fmpz()}"
+    with working(bits=64):
+        return f"1e{(x.log() / arb(10).log()).upper().ceil().unique_fmpz()}"
 
 
 def norm(trig: Trig, nu: arb) -> arb:

@@ -16,10 +16,11 @@ and \|A_n\| ≤ 2ω² n qⁿ/(1 - q²) sums up beyond N to at most
 
 from __future__ import annotations
 
-from flint import acb, arb, ctx, fmpq, fmpq_mat
+from flint import acb, arb, fmpq, fmpq_mat
 
 from ..aliases import FilePath, Json
 from ..errors import FileError
+from ..precision import working
 from . import certificate
 from .algebra import at_least, at_most
 from .certificate import number, read_ball, require
@@ -60,7 +61,7 @@ def check(path: FilePath) -> str:
             raise FileError(f"{str(path)!r} holds a theorem of unknown kind {kind!r}")
         if not 53 <= precision <= 100000:
             raise FileError(f"{str(path)!r} asks for {precision} bits; 53 to 100000 are possible")
-        with ctx.workprec(precision):
+        with working(bits=precision):
             proved: str = proofs[kind](data)
             return proved
     except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError) as error:

@@ -17,6 +17,7 @@ from flint import acb, arb, arb_poly, ctx, fmpz
 
 from ..aliases import Json
 from ..errors import FileError
+from ..precision import working
 from .certificate import number, read_ball, require
 from .checking_eight import Laurent, lambda_zero, prove, residual
 
@@ -30,7 +31,7 @@ def check_digits(data: dict[str, Json]) -> str:
     digits, distance = data["digits"], number(data["distance"])
     if not 1 <= digits <= 4000:
         raise FileError(f"the certificate claims {digits} digits; 1 to 4000 are possible")
-    with ctx.workprec(min(data["eight"]["precision"], data["precision"])):
+    with working(bits=min(data["eight"]["precision"], data["precision"])):
         eight = prove(data["eight"])
     u = _unknowns(data["unknowns"], data["bits"])
     part = [Laurent.cosines({n: c for n, c in u.items() if n % 2 == i}, eight.nu) for i in (0, 1)]
@@ -77,7 +78,7 @@ def _root(guess: Sequence[Any], w: Laurent, top: int) -> Laurent:
         steps.append(steps[-1] // 2 + 2)
     for bits in reversed(steps):
         d = min(top, 2 * bits)                                  # more harmonics for more bits
-        with ctx.workprec(bits + 30):
+        with working(bits=bits + 30):
             low = w.cut(d).times(arb(1))                        # rounded
             v = v * (three + ((v * v).cut(d) * low).cut(d).times(-1))
             v = v.times(arb(1) / 2).cut(d)

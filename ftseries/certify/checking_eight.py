@@ -13,9 +13,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from flint import acb, arb, arb_mat, arb_poly, ctx
+from flint import acb, arb, arb_mat, arb_poly
 
 from ..aliases import Json
+from ..precision import working
 from .algebra import at_least, at_most
 from .certificate import number, read_ball, require, upper_bound
 
@@ -44,7 +45,7 @@ class Laurent:
 
     def size(self) -> arb:
         """Norm of what is known."""
-        with ctx.workprec(64):
+        with working(bits=64):
             return sum((abs(self[n]) * self.nu ** abs(n) for n in self.powers), arb(0)).upper()
 
     def norm(self) -> arb:

@@ -22,11 +22,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from flint import arb, arb_mat, ctx, fmpq
+from flint import arb, arb_mat, fmpq
 
 from ..aliases import Exact, FilePath
 from ..arguments import decimal, whole
 from ..errors import InputError
+from ..precision import working
 from ..problems.cubic import CubicOscillator
 from ..solver import solve
 from . import certificate
@@ -78,7 +79,8 @@ class CubicTheorem:
 
     def at(self, t: float) -> arb:
         """A bound of the error of x at the time t (a number): its phase drifts."""
-        return upper(self.amplitudes + abs(arb(t)) * self.omega * self.slope)
+        with working(bits=self.precision):
+            return upper(self.amplitudes + abs(arb(t)) * self.omega * self.slope)
 
     def save(self, path: FilePath) -> None:
         """Write a certificate for :func:`ftseries.certify.check`."""
@@ -127,7 +129,7 @@ def cubic_bound(a: Exact, lam: Exact, order: int, precision: int = 256) -> Cubic
     root = sum((c * scaled**m for m, row in enumerate(solution.coefficients["omega"])
                 for c in row.values()), fmpq(0))
     square = 12 * root**2
-    with ctx.workprec(precision):
+    with working(bits=precision):
         bounds = _bounds(square, modes, scaled)
         low, _ = radius(bounds)
         if not (low < arb(square) and low < abs(arb(modes[1]))):
