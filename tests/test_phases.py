@@ -5,7 +5,7 @@ import pytest
 from flint import arb, fmpq
 
 import ftseries as fts
-from ftseries import phases, solver
+from ftseries import solver
 from ftseries.phases import Phases, unsatisfied
 from ftseries.precision import working
 from ftseries.stages import Stages

@@ -31,7 +31,8 @@ from ..errors import InputError
 from ..precision import working
 from ..problems.figure_eight import is_gravitational
 from . import certificate
-from .algebra import NotProved, at_least, at_most, given, upper, written
+from .algebra import given, upper, written
+from .balls import NotProved, at_least, at_most
 from .convergence_bounds import GUESS, INVERSE, Matrix, Rows, block, prove
 from .eight import EightTheorem
 from .fourier_taylor import Integers, Space

@@ -31,7 +31,9 @@ from ..precision import working
 from ..problems.cubic import CubicOscillator
 from ..solver import solve
 from . import certificate
-from .algebra import NotProved, at_most, largest_of, upper
+from .algebra import largest_of, upper
+from .balls import NotProved, at_most
+from .grammar import MOST_BITS
 from .newton_kantorovich import Bounds, radius
 
 __all__ = ["CubicTheorem", "cubic_bound"]
@@ -102,7 +104,7 @@ def cubic_bound(a: Exact, lam: Exact, order: int, precision: int = 256) -> Cubic
     order : int
         Taylor order of the truncated series.
     precision : int
-        Bits, 53 to 100000.
+        Bits, 53 to 20000.
 
     Raises
     ------
@@ -117,7 +119,7 @@ def cubic_bound(a: Exact, lam: Exact, order: int, precision: int = 256) -> Cubic
     (True, True, True)
     """
     a, lam = decimal(a), decimal(lam)
-    order, precision = whole("order", order), whole("precision", precision, 53, 100_000)
+    order, precision = whole("order", order), whole("precision", precision, 53, MOST_BITS)
     if not a > 0 or not lam > 0:
         raise InputError(f"a={a}, lam={lam}: both must be positive")
     scaled = lam / a

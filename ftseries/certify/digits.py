@@ -43,7 +43,8 @@ from ..precision import working
 from ..problems.figure_eight import FigureEight
 from ..solver import solve
 from . import certificate
-from .algebra import RING, NotProved, at_most, decimal, power_of_ten, upper
+from .algebra import RING, upper
+from .balls import NotProved, at_most, decimal, power_of_ten
 from .consequences import ROOM, lambda_zero
 from .eight import EightTheorem, prove_eight, waves
 from .eight_bounds import inverse_norm, residual_bound
@@ -233,8 +234,8 @@ def certified(theorem: EightTheorem, guess: Pass, n: int) -> EightDigits:
         index, top = list(theorem.center), theorem.modes
         weight = {k: nu**k for k in range(1, 3 * max(u) + 3 * len(guess.root) * 2)}
         a = arb_mat([[arb(c) for c in row] for row in theorem.inverse])
-        gap = sum((abs(c - arb(theorem.center.get(k, 0.0))) * weight[k] for k, c in u.items()),
-                  arb(0))
+        gap = sum((abs(u.get(k, arb(0)) - arb(theorem.center.get(k, 0.0))) * nu**k
+                   for k in u.keys() | theorem.center.keys()), arb(0))
         reach, bounds = upper(gap.max(theorem.radius)), theorem.bounds
         gain = 1 - bounds.z1 - bounds.z2 * reach
         if not (reach <= bounds.largest and gain > 0):

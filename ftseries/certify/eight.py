@@ -29,9 +29,11 @@ from ..errors import InputError
 from ..precision import working
 from ..problems.figure_eight import closure_zero, is_gravitational
 from . import certificate
-from .algebra import RING, Enclosure, at_least, at_most, given, largest_of, upper, written
+from .algebra import RING, Enclosure, given, largest_of, upper, written
+from .balls import at_least, at_most
 from .consequences import distance_from, initial_values, lambda_zero
 from .eight_bounds import entries, inverse_norm, residual_bound, z1_bound, z2_bound
+from .grammar import MOST_BITS
 from .newton_kantorovich import Bounds, radius
 
 if TYPE_CHECKING:
@@ -126,7 +128,7 @@ def prove_eight(orbit: Any, lam: float | None = None, modes: int = 100, nu: Any 
     nu : str or number
         The weight ν of the norm, above 1.
     precision : int
-        Bits, 53 to 100000.
+        Bits, 53 to 20000.
 
     Raises
     ------
@@ -142,7 +144,7 @@ def prove_eight(orbit: Any, lam: float | None = None, modes: int = 100, nu: Any 
     """
     if not is_gravitational(orbit):
         raise InputError(f"{orbit!r} is not a figure eight under gravitation")
-    modes, precision = whole("modes", modes, 4), whole("precision", precision, 53, 100_000)
+    modes, precision = whole("modes", modes, 4), whole("precision", precision, 53, MOST_BITS)
     lam = None if lam is None else scalar("lam", lam)
     with working(bits=precision):
         weight = given("nu", nu := written("nu", nu))

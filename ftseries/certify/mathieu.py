@@ -32,7 +32,8 @@ from ..errors import InputError
 from ..precision import working
 from ..problems.mathieu import GeneralizedMathieu
 from . import certificate
-from .algebra import NotProved, at_least, upper
+from .algebra import upper
+from .balls import NotProved, at_least
 
 __all__ = ["EigenvalueTheorem", "mathieu_eigenvalue"]
 
