@@ -28,7 +28,7 @@ from .grammar import MOST_BITS, dyadic, entries, exactly, rational, record, whol
 
 __all__ = ["check"]
 
-_PARAMETER = 400                    # characters of λ and μ
+_PARAMETER = 10000                  # characters of λ and μ
 _EXPONENT = 40000                   # of two, in the eigenvector
 
 

@@ -26,7 +26,7 @@ __all__ = ["MOST_BITS", "ball", "cut", "decimal", "dyadic", "entries", "exactly"
            "modes", "rational", "record", "whole"]
 
 MOST_BITS = 20000                   # of a certificate's arithmetic
-_LONG, _SHORT = 50000, 50           # characters of any number; of a decimal
+_LONG, _SHORT = 50000, 5000         # characters of any number; of a decimal
 _WHOLE = r"-?[1-9][0-9]*|0"
 
 
@@ -131,7 +131,7 @@ def record(value: Json, names: str) -> dict[str, Json]:
 
 def _matched(value: Json, pattern: str, what: str, longest: int) -> str:
     if type(value) is not str or len(value) > longest or not re.fullmatch(pattern, value, re.ASCII):
-        raise ValueError(f"{_shown(value)} is not {what}")
+        raise ValueError(f"{_shown(value)} is not {what}, in at most {longest} characters")
     return value
 
 

@@ -1,6 +1,6 @@
 """Certificates with one entry altered and a fresh checksum: none may state what is not true.
 
-``python tests/certify/mutants.py`` tries all of them and says what became of them; the tests try a
+``make certificates`` tries all of them and says what became of them; the tests try a
 sample.  What a checker accepts is held against values that no proof has touched: the 1000 stored
 digits of the eight, Hill's matrix and elliptic functions in many digits, exact coefficients.
 """
@@ -199,7 +199,8 @@ def true_eight(data):
     claims = [claim for name in ("positions", "velocities") for z in data[name] for claim in z]
     return (gap.lower() <= number(data["radius"]) and number(data["uniqueness"]) <= 2**-20
             and certificate.read_ball(data["lam"]).overlaps(eight().lam)
-            and all(certificate.read_ball(claim).overlaps(part) for claim, part in zip(claims, true_state())))
+            and all(certificate.read_ball(claim).overlaps(part)
+                    for claim, part in zip(claims, true_state())))
 
 
 def true_digits(data):
