@@ -23,7 +23,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .NOTPARALLEL:
 .PHONY: help book lab test style unit notebooks-tested strict-book browser-tested notebooks lock clean
-.PHONY: coverage fuzz mutants random oldest bench bench-book calibration
+.PHONY: coverage fuzz mutants certificates random oldest bench bench-book calibration
 .PHONY: slides student pdf figures site debian-latex linkcheck lint-workflows newest dist
 
 help:
@@ -43,6 +43,7 @@ help:
 	@echo "make fuzz       10,000 texts from a grammar, altered files: right or refused, in time"
 	@echo "make mutants    change copies of the core in many places; the tests should notice"
 	@echo "make random     N=2000 random problems against independent truth, as a table"
+	@echo "make certificates  alter certificates in thousands of ways; none may state what is not true"
 	@echo "make oldest     the tests with the oldest versions that pyproject.toml allows"
 	@echo "make bench      measure this package and its peers, and renew the chapter on it"
 	@echo "make bench-book measure the builds and the tests of the book"
@@ -183,6 +184,9 @@ mutants: $(READY)
 N ?= 2000
 random: $(READY)
 	PYTHONPATH=tests $(BIN)/python -m random_problems $(N)
+
+certificates: $(READY)
+	$(BIN)/python tests/certify/mutants.py
 
 oldest:
 	$(PYTHON) -m venv _build/oldest

@@ -17,6 +17,7 @@ from .errors import (
                      FTSeriesError,
                      InputError,
                      NonAnalyticError,
+                     PrecisionError,
                      PrecisionWarning,
                      SolveError,
                      UndeterminedError,
@@ -35,4 +36,4 @@ __all__ = ["solve", "sweep", "Solution", "load", "Problem", "Equations", "Field"
            "CubicOscillator", "GeneralizedMathieu", "FigureEight", "figure_eight", "sin", "cos",
            "exp", "FTSeriesError", "InputError", "NonAnalyticError", "SolveError",
            "UndeterminedError", "ContradictionError", "FaultError", "FileError",
-           "ConvergenceWarning", "PrecisionWarning"]
+           "PrecisionError", "ConvergenceWarning", "PrecisionWarning"]

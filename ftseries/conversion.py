@@ -13,6 +13,7 @@ from flint import arb, fmpq
 from .aliases import Expr, Number
 from .arguments import DIGITS, decimal, shown
 from .errors import InputError
+from .precision import working
 
 __all__ = ["to_sympy", "to_float", "to_ball", "in_fractions", "at", "symbolic", "numeric_unit",
            "float_unit"]
@@ -76,7 +77,8 @@ def numeric_unit(problem: Any, unit: Any) -> Expr:
 def float_unit(problem: Any, unit: Any) -> float:
     """The same as a float; refuses also what is beyond the floats."""
     unit = numeric_unit(problem, unit)
-    value = float(unit)
+    with working():                                                 # SymPy computes with mpmath
+        value = float(unit)
     if not 0 < abs(value) < math.inf:
         raise InputError(f"{problem!r} has a unit of about {mpmath.nstr(unit.evalf(), 2)}, beyond "
                          "the floats; take exact coefficients and evaluate(…, dps=…)")

@@ -18,6 +18,7 @@ from mpmath.libmp import dps_to_prec, from_man_exp
 from .aliases import Exact, Mode, Modes
 from .conversion import at, to_ball
 from .evaluation import derivative
+from .precision import working
 
 __all__ = ["Polynomials", "Sum", "ball", "good", "polynomials", "rounded", "turns"]
 
@@ -83,8 +84,9 @@ def good(value: arb, size: arb) -> float:
     """The decimal digits of a value in a ball, against its size; infinite where it is exact."""
     if value.rad() == 0:
         return math.inf
-    part = value.rad() / size.mid()
-    return float(-part.log() / arb(10).log()) if part > 0 else -math.inf
+    with working(bits=64):
+        part = value.rad() / size.mid()
+        return float(-part.log() / arb(10).log()) if part > 0 else -math.inf
 
 
 def rounded(value: arb, dps: int) -> Any:

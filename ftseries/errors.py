@@ -1,7 +1,7 @@
 """One family of errors: every refusal is a :class:`FTSeriesError` and one clear sentence."""
 
 __all__ = ["FTSeriesError", "InputError", "NonAnalyticError", "SolveError", "UndeterminedError",
-           "ContradictionError", "FaultError", "FileError", "ConvergenceWarning",
+           "ContradictionError", "FaultError", "FileError", "PrecisionError", "ConvergenceWarning",
            "PrecisionWarning"]
 
 
@@ -35,6 +35,10 @@ class FaultError(SolveError):
 
 class FileError(FTSeriesError):
     """A saved solution cannot be read or written."""
+
+
+class PrecisionError(FTSeriesError):
+    """The working precision was changed from outside during a computation."""
 
 
 class ConvergenceWarning(UserWarning):

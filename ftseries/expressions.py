@@ -36,6 +36,7 @@ from .aliases import Expr
 from .arguments import decimal, shown
 from .conversion import in_fractions, symbolic, to_sympy
 from .errors import InputError
+from .precision import working
 
 __all__ = ["FUNCTIONS", "BoundError", "Reader", "by_name", "checked", "differentiated",
            "expression", "is_number", "name_of", "parsed", "quoted", "sympified"]
@@ -234,7 +235,9 @@ def _function(name: str, argument: Expr) -> Expr:
         if argument.has(sp.Function, sp.E):
             raise BoundError(f"{name} is taken of a number that is a function's value itself; "
                              "write that number as a decimal")
-        if name == "exp" and argument.is_finite and abs(argument.evalf(15)) > DIGITS:
+        with working():                                             # SymPy computes with mpmath
+            beyond = name == "exp" and argument.is_finite and abs(argument.evalf(15)) > DIGITS
+        if beyond:
             raise BoundError(f"exp is taken of a number beyond {DIGITS}; such numbers are not "
                              "known here")
     return _of_a_size(FUNCTIONS[name](argument))

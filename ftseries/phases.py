@@ -16,17 +16,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from flint import arb, arb_mat, arb_series, ctx, fmpq
+from flint import arb, arb_mat, arb_series, fmpq
 
 from .aliases import Coefficients, Exact, Mode, Modes, Number
 from .arguments import decimal
 from .errors import InputError
 from .function import Function
+from .precision import working
 
 if TYPE_CHECKING:
     from .problem import Problem
@@ -188,18 +188,6 @@ def independent(count: int) -> list[arb]:
     return [(-arb(p).sqrt()).exp() for p in primes[:count]]
 
 
-@contextmanager
-def _series_of(top: int, bits: int) -> Iterator[None]:
-    """FLINT keeps power series up to λ^top, and so many bits."""
-    cap = ctx.cap
-    try:
-        ctx.cap = top + 1
-        with ctx.workprec(bits):
-            yield
-    finally:
-        ctx.cap = cap
-
-
 class Defect(NamedTuple):
     """A residual that does not vanish."""
 
@@ -244,7 +232,7 @@ def unsatisfied(problem: Problem, arithmetic: str, coefficients: Coefficients,
     bits, count = precision or _BITS[arithmetic], 1
     while bits <= max(_MOST_BITS, precision or 0):
         try:
-            with _series_of(top, bits):
+            with working(bits=bits, terms=top + 1):
                 phases, found = _residuals(problem, coefficients, top, count)
                 bad, narrow = _first(phases, found, arithmetic, shifts or [0] * len(found), order)
         except Denser as denser:
@@ -263,7 +251,7 @@ def mode(problem: Problem, coefficients: Coefficients, defect: Defect) -> Mode:
     while count < 4 * (defect.order + problem.ahead + 1):
         count *= 2
     count *= 3                                                     # shifts by thirds are on it
-    with _series_of(defect.order, bits):
+    with working(bits=bits, terms=defect.order + 1):
         _, found = _residuals(problem, coefficients, defect.order, count)
         values = [float(series[defect.order]) for series in found[defect.equation].values]
     n = np.arange(count // 2)

@@ -15,6 +15,7 @@ from mpmath.libmp import NoConvergence
 from sympy.core.function import AppliedUndef
 
 from .aliases import Expr
+from .precision import working
 from .problem import Field, Scalar
 
 if TYPE_CHECKING:
@@ -51,7 +52,8 @@ def rates(problem: Equations, state: State) -> list[complex] | None:
     if polynomial.free_symbols != {s} or not polynomial.is_polynomial(s):
         return None
     try:
-        return [complex(root) for root in sp.Poly(polynomial, s).nroots(n=15, maxsteps=200)]
+        with working():                                             # nroots sets mp.dps
+            return [complex(z) for z in sp.Poly(polynomial, s).nroots(n=15, maxsteps=200)]
     except NoConvergence:
         return None
 

@@ -12,7 +12,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb
 
 from .aliases import Array, ArrayLike, Column, Mode, Number, Real
 from .analysis import Estimate, pade
@@ -20,6 +20,7 @@ from .arguments import real, scalar, scalars
 from .conversion import float_unit, to_ball
 from .errors import InputError, PrecisionWarning
 from .evaluation import check_lam, motion, times, unknown, warn
+from .precision import working
 from .problem import Scalar
 
 if TYPE_CHECKING:
@@ -39,6 +40,8 @@ _SMALL = 0.01
 _ROUNDING = 2.0**-52
 #: a ball with fewer bits is no coefficient
 _BITS = 8
+#: in which balls are moved by their radii
+_MOST_BITS = 4000
 #: zeros by which a series of one term counts as a constant
 _CONSTANT = 8
 
@@ -239,12 +242,13 @@ class Resummed:
 def _noisy(c: list[Number]) -> list[Number]:
     """Coefficients moved by their uncertainty, in alternating directions."""
     out: list[Number] = []
-    for k, x in enumerate(c):
-        sign = 1 if k % 2 else -1
-        if isinstance(x, arb):
-            out.append(x.mid() + sign * x.rad())
-        else:
-            out.append(x * (1 + sign * 4 * 2.0**-53) if isinstance(x, float) else x)
+    with working(bits=_MOST_BITS):
+        for k, x in enumerate(c):
+            sign = 1 if k % 2 else -1
+            if isinstance(x, arb):
+                out.append(x.mid() + sign * x.rad())
+            else:
+                out.append(x * (1 + sign * 4 * 2.0**-53) if isinstance(x, float) else x)
     return out
 
 
@@ -292,7 +296,7 @@ def at_phase(solution: Solution, name: str, tau: float, slope: bool = False) -> 
         raise InputError(f"{solution.problem!r} has free parameters; give them values")
     if isinstance(unknown(solution.problem, name), Scalar):
         raise InputError(f"{name!r} does not depend on the phase; ask for a field")
-    with ctx.workprec(solution.precision or 256):
+    with working(bits=solution.precision or 256):
         phase, series = arb(scalar("tau", tau)), []
         for m, row in enumerate(solution.coefficients[name]):
             total = arb(0)

@@ -17,6 +17,7 @@ import sympy as sp
 
 from .aliases import Expr
 from .errors import InputError
+from .precision import working
 
 __all__ = ["Roots", "vanishes"]
 
@@ -148,7 +149,7 @@ def _may_be_real(p: sp.Poly) -> bool:
 
 
 def _is_negative(z: Expr, test: Callable[[Expr], bool]) -> bool:
-    return not z.free_symbols and bool(test(sp.N(z, 30)))
+    return not z.free_symbols and bool(test(_numeric(z, 30)))
 
 
 def _root(z: Expr, g: int) -> Expr:
@@ -163,4 +164,9 @@ def vanishes(e: Expr) -> bool:
     """Is an expanded expression zero?  Numbers with roots are decided by 40 digits."""
     if e.is_Rational or e.free_symbols:
         return bool(e == 0)
-    return bool(abs(sp.N(e, 40)) < sp.Float("1e-30"))
+    return bool(abs(_numeric(e, 40)) < sp.Float("1e-30"))
+
+
+def _numeric(e: Expr, digits: int) -> Expr:
+    with working():                                                 # SymPy computes with mpmath
+        return sp.N(e, digits)

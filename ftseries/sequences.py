@@ -12,7 +12,6 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from flint import ctx
 
 from . import analysis
 from .aliases import Function, Modes, Number
@@ -25,6 +24,7 @@ from .evaluation import unknown
 from .expansion import Expansion
 from .grid import FloatRing
 from .laurent import BallRing, PolynomialRing, RationalRing
+from .precision import working
 from .problem import Scalar
 from .series import Series
 from .values import Values
@@ -91,7 +91,7 @@ class Sequences(Values):
         else:
             ring = BallRing() if self.arithmetic == "ball" else RationalRing()
         point, mode = self._point(parameters), (int(bool(sine)), n)
-        with ctx.workprec(self.precision or ctx.prec):
+        with working(bits=self.precision):
             expansion = Expansion(ring)
             unknowns = {name: expansion.polynomial(rows)
                         for name, rows in self.coefficients.items()}

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sp
-from flint import arb, ctx
+from flint import arb
 
 from . import display, storage
 from .aliases import FilePath, Number
@@ -22,6 +22,7 @@ from .arguments import shown, whole
 from .conversion import float_unit, numeric_unit, to_ball, to_sympy
 from .errors import InputError
 from .evaluation import unknown
+from .precision import working
 from .problem import Field, Scalar
 from .quality import Quality
 
@@ -124,7 +125,7 @@ class Solution(Quality):
             return sp.S.Zero if number is None else unit * to_sympy(number, self.problem.parameters)
         if self.arithmetic == "float":
             return 0.0 if number is None else float_unit(self.problem, unit) * number
-        with ctx.workprec(self.precision or ctx.prec):
+        with working(bits=self.precision):
             unit = to_ball(numeric_unit(self.problem, unit))
             return arb(0) if number is None else unit * number
 

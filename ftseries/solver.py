@@ -11,7 +11,7 @@ import math
 import os
 from typing import TYPE_CHECKING, Any
 
-from flint import ctx, fmpq
+from flint import fmpq
 from tqdm import tqdm
 
 from .aliases import Coefficients, Number
@@ -23,6 +23,7 @@ from .grid import FloatRing
 from .laurent import BallRing, PolynomialRing, RationalRing, SurdRing
 from .linear import LinearPart
 from .phases import mode, unsatisfied
+from .precision import working
 from .problem import Problem
 from .solution import Solution
 from .stages import LATEST, Stages
@@ -126,7 +127,7 @@ def _solved(problem: Problem, seed: Coefficients, order: int, arithmetic: str, p
             _warn_of_rounding(problem, known, lead, stages.sizes)
     elif arithmetic == "ball":
         ring = BallRing()
-        with ctx.workprec(precision):
+        with working(bits=precision):
             known = _converted(known, ring)
             if order > lead:
                 Stages(problem, linear, ring, known, order, late).run(bar, fresh=False)

@@ -11,13 +11,14 @@ from collections.abc import Callable, Mapping
 from typing import Any, TypeAlias
 
 import numpy as np
-from flint import arb, ctx, fmpq
+from flint import arb, fmpq
 
 from . import enclosure, evaluation
 from .aliases import Array, ArrayLike, Exact, Real
 from .arguments import computed, decimal, rational, whole
 from .doubt import Place, digits, front
 from .errors import ConvergenceWarning, InputError, PrecisionWarning
+from .precision import working
 from .problem import Scalar
 from .tables import Point, Tables
 
@@ -162,7 +163,7 @@ class Values(Tables):
 
     def _turns(self, lam: Array, parameters: Point) -> tuple[Real, Real]:
         """ω/2π at each λ as the sum of two floats."""
-        with ctx.workprec(max(256, self.precision or 0)):
+        with working(bits=max(256, self.precision or 0)):
             if not self.problem.frequency:
                 return enclosure.turns(arb(1))
             unique, where = np.unique(lam, return_inverse=True)
@@ -188,7 +189,7 @@ class Values(Tables):
     def _enclosed(self, name: str, t: Any, lam: Any, order: int, point: list[fmpq], bits: int,
                   read: Callable[[Exact], fmpq]) -> Any:
         """The values and their sizes."""
-        with ctx.workprec(bits):
+        with working(bits=bits):
             sums = self._sums(self._summed(name), np.asarray(lam, object), point, read)
             return np.frompyfunc(lambda each, time: each.value(enclosure.ball(time, read), order),
                                  2, 2)(sums, np.asarray(t, object))

@@ -14,7 +14,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
-from flint import arb, ctx, fmpq, fmpq_mpoly
+from flint import arb, fmpq, fmpq_mpoly
 from tqdm import tqdm
 
 from .aliases import Coefficients, Number
@@ -26,6 +26,7 @@ from .grid import FloatRing
 from .laurent import BallRing, RationalRing, SurdRing
 from .linear import REACH, LinearPart
 from .phases import unsatisfied
+from .precision import working
 from .stages import LATEST, Stages
 
 if TYPE_CHECKING:
@@ -54,7 +55,7 @@ def fault(problem: Problem, arithmetic: str, coefficients: Coefficients,
     """
     for late in LATEST:
         try:
-            with np.errstate(all="ignore"), ctx.workprec(precision or _BITS):
+            with np.errstate(all="ignore"), working(bits=precision or _BITS):
                 return _Check(problem, arithmetic, coefficients, precision, late).fault()
         except UndeterminedError:
             if late == LATEST[-1]:

@@ -5,8 +5,9 @@ import pytest
 from flint import arb, fmpq
 
 import ftseries as fts
-from ftseries import phases, solver
+from ftseries import solver
 from ftseries.phases import Phases, unsatisfied
+from ftseries.precision import working
 from ftseries.stages import Stages
 
 PROBLEMS = [fts.CubicOscillator(a=1), fts.FigureEight(), fts.GeneralizedMathieu()]
@@ -92,7 +93,7 @@ class TestFunctions:
         """A function of (u, lam) by phases, and by NumPy on τ = 1 + 2πj/12."""
         at = Phases(40, 12, ())
         u = at.polynomial([{(0, 0): arb(1)}, {(0, 1): arb(2), (1, 2): arb(-1)}, {(1, 3): arb(3)}])
-        with phases._series_of(40, 128):
+        with working(bits=128, terms=41):
             values = make(u, at.lam).values
             ours = [float(sum((c * arb(self.lam)**k for k, c in enumerate(v.coeffs())), arb(0)))
                     for v in values]
@@ -131,7 +132,7 @@ class TestFunctions:
                 at.tau = [t + arb(by) for t in at.tau]
                 u = at.polynomial([{(0, 0): arb(1)}, {(0, 1): arb(2), (1, 2): arb(-1)},
                                    {(1, 3): arb(3)}])
-                with phases._series_of(40, 128):
+                with working(bits=128, terms=41):
                     return np.array([float(sum((c * arb(self.lam)**k for k, c in
                                                 enumerate(v.coeffs())), arb(0)))
                                      for v in make(u, at.lam).values])

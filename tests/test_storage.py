@@ -172,6 +172,9 @@ def test_nonsense_with_a_right_checksum(saved, change, words):
     ('{"format": "ftseries", "version": 2}', "version 2"),
     ('{"format": "ftseries", "version": "1"}', "version '1'"),
     ('{"format": "ftseries", "version": 1}', "checksum"),
+    ('{"format": "ftseries", "version": 1.0}', "version"),
+    ('{"format": "ftseries", "version": NaN}', "NaN is no number"),
+    ('{"format": "ftseries", "version": 1, "version": 1}', "stands twice"),
 ])
 def test_foreign_files(tmp_path, text, words):
     path = tmp_path / "foreign.json"

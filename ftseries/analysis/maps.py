@@ -12,11 +12,12 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, TypeAlias
 
-from flint import arb, arb_series, ctx, fmpq, fmpq_series
+from flint import arb, arb_series, fmpq, fmpq_series
 
 from ..aliases import Exact, Number
 from ..arguments import rational
 from ..errors import InputError
+from ..precision import working
 
 __all__ = ["compose", "euler_map", "revert"]
 
@@ -75,14 +76,10 @@ def _check_start(c: Sequence[Number], what: str) -> None:
 @contextmanager
 def _series(length: int, *lists: Sequence[Number]) -> Iterator[tuple[Make, Numbers]]:
     """(from coefficients to a series, and back) in the arithmetic that holds all the lists."""
-    cap, exact = ctx.cap, all(isinstance(x, (fmpq, int)) for c in lists for x in c)
+    exact = all(isinstance(x, (fmpq, int)) for c in lists for x in c)
     kind: Any = fmpq_series if exact else arb_series
     number: Any = fmpq if exact else arb
     floats = any(isinstance(x, float) for c in lists for x in c)
-    with ctx.workprec(_BITS):
-        try:
-            ctx.cap = max(length, 1)                               # python-flint truncates there
-            yield (lambda c: kind([number(x) for x in c], prec=length),
-                   lambda s: [float(s[k]) if floats else s[k] for k in range(length)])
-        finally:
-            ctx.cap = cap
+    with working(bits=_BITS, terms=max(length, 1)):
+        yield (lambda c: kind([number(x) for x in c], prec=length),
+               lambda s: [float(s[k]) if floats else s[k] for k in range(length)])

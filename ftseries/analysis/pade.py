@@ -16,10 +16,11 @@ from collections.abc import Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
-from flint import acb, acb_poly, arb, arb_mat, arb_poly, ctx, fmpq, fmpq_mat
+from flint import acb, acb_poly, arb, arb_mat, arb_poly, fmpq, fmpq_mat
 
 from ..aliases import ArrayLike, ComplexArray, Number
 from ..errors import InputError
+from ..precision import working
 from .singularities import _numbers
 
 __all__ = ["Pade", "pade"]
@@ -77,7 +78,7 @@ class Pade:
 
     def _value(self, z: Any) -> Any:
         real = not np.iscomplexobj(z)
-        with ctx.workprec(_BITS):
+        with working(bits=_BITS):
             z = arb(float(z)) if real else acb(complex(z))
             q = self._q(z)
             if abs(q) < arb(2) ** (-_BITS // 2):
@@ -107,7 +108,7 @@ class Pade:
                 if zeros.size and np.abs(zeros - pole).min() < distance * abs(pole)]
 
     def _roots(self, which: int) -> ComplexArray:
-        with ctx.workprec(_BITS):
+        with working(bits=_BITS):
             polynomial = acb_poly(self.exact[which])
             if polynomial.degree() < 1:
                 return np.array([], dtype=complex)
@@ -169,7 +170,7 @@ def _reduced(c: Sequence[Number], upper: int, lower: int) -> Polynomials | None:
 
 def _matches(c: Sequence[Number], p: Sequence[arb], q: Sequence[arb]) -> bool:
     """Are all coefficients those of p/q?"""
-    with ctx.workprec(_MOST_BITS):
+    with working(bits=_MOST_BITS):
         known = arb_poly([arb(x).mid() if isinstance(x, arb) else arb(x) for x in c])
         rest = (known * arb_poly(list(q))).truncate(len(c)) - arb_poly(list(p))
         return all(x.contains(0) for x in rest.coeffs())
@@ -179,7 +180,7 @@ def _solve(c: Sequence[Number], upper: int, lower: int) -> Polynomials | None:
     """Coefficients of p and q as balls, or None in a singular block."""
     bits = _BITS
     while bits <= _MOST_BITS:
-        with ctx.workprec(bits):
+        with working(bits=bits):
             balls = [arb(x).mid() if isinstance(x, arb) else arb(x) for x in c]
             q = _denominator(balls, upper, lower)
             if q is not None:

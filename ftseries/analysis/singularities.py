@@ -21,10 +21,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from flint import acb, acb_poly, arb, arb_mat, ctx
+from flint import acb, acb_poly, arb, arb_mat
 
 from ..aliases import Number
 from ..errors import InputError
+from ..precision import working
 
 __all__ = ["Estimate", "FewError", "Singularity", "thin", "root_test", "domb_sykes",
            "nearest_singularities"]
@@ -97,8 +98,9 @@ def root_test(c: Sequence[Number]) -> list[tuple[int, float]]:
     >>> root_test([1, 2, 4, 8])
     [(1, 0.5), (2, 0.5), (3, 0.5)]
     """
-    return [(k, float(abs(x) ** (arb(-1) / k)))
-            for k, x in enumerate(_numbers(c)) if k and x != 0]
+    with working(bits=_BITS):
+        return [(k, float(abs(x) ** (arb(-1) / k)))
+                for k, x in enumerate(_numbers(c)) if k and x != 0]
 
 
 def domb_sykes(c: Sequence[Number]) -> list[tuple[float, float]]:
@@ -109,9 +111,10 @@ def domb_sykes(c: Sequence[Number]) -> list[tuple[float, float]]:
     >>> domb_sykes([1, 2, 4, 8])
     [(1.0, 2.0), (0.5, 2.0), (0.3333333333333333, 2.0)]
     """
-    c = _numbers(c)
-    return [(1 / k, float(c[k] / c[k - 1]))
-            for k in range(1, len(c)) if c[k] != 0 and c[k - 1] != 0]
+    with working(bits=_BITS):
+        c = _numbers(c)
+        return [(1 / k, float(c[k] / c[k - 1]))
+                for k in range(1, len(c)) if c[k] != 0 and c[k - 1] != 0]
 
 
 def nearest_singularities(c: Sequence[Number]) -> list[Singularity]:
@@ -151,7 +154,7 @@ def nearest_singularities(c: Sequence[Number]) -> list[Singularity]:
     exact = not any(isinstance(x, float) or (isinstance(x, arb) and x.rel_accuracy_bits() < 150)
                     for x in c)
     degrees = _DEGREES if exact else _FLOAT_DEGREES
-    with ctx.workprec(_BITS):
+    with working(bits=_BITS):
         c = _numbers(c)
         scale = _rough_radius(c)
         c = [x * arb(scale) ** k for k, x in enumerate(c)]

@@ -4,7 +4,8 @@ Each theorem is one call that returns what was proved, or raises :class:`NotProv
 saved as a certificate, which :func:`check` proves again with other code.
 """
 
-from .algebra import Enclosure, NotProved
+from .algebra import Enclosure
+from .balls import NotProved
 from .checking import check
 from .convergence import ConvergenceTheorem, prove_convergence
 from .cubic import CubicTheorem, cubic_bound

@@ -20,28 +20,23 @@ Then w > 0 and v has no zero; v(0) > 0 makes v^p (1 - ε)^{-p/2} the positive ro
 from __future__ import annotations
 
 from collections.abc import Iterable
-from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from functools import reduce
-from math import inf, nextafter
 from typing import TYPE_CHECKING, Any
 
 from flint import arb, ctx
 
 from .. import arguments
-from ..errors import FTSeriesError, InputError
+from ..errors import InputError
 from ..laurent import BallRing
+from .balls import NotProved
 
 if TYPE_CHECKING:
     from ..trig import Trig
 
-__all__ = ["Enclosure", "NotProved", "at_least", "at_most", "decimal", "given", "largest_of",
-           "negative_power", "norm", "power_of_ten", "truncate", "upper", "written"]
+__all__ = ["Enclosure", "given", "largest_of", "negative_power", "norm", "truncate", "upper",
+           "written"]
 
 RING = BallRing()
-
-
-class NotProved(FTSeriesError):
-    """The inequalities of a proof do not hold for these data; nothing is claimed."""
 
 
 def given(name: str, value: Any) -> arb:
@@ -81,60 +76,6 @@ def upper(x: arb | int) -> arb:
 def largest_of(values: Iterable[arb]) -> arb:
     """An upper bound of all of them, as an exact number."""
     return reduce(lambda a, b: upper(a.max(b)), values, arb(0))
-
-
-def at_most(x: Any, digits: int = 3) -> str:
-    """A decimal not below x, to print an upper bound.
-
-    >>> at_most(arb("1.231e-9")), at_least(arb("1.239e-9"))
-    ('1.24e-09', '1.23e-09')
-    """
-    return _decimal(nextafter(float(x), inf), digits, ROUND_CEILING)
-
-
-def at_least(x: Any, digits: int = 3) -> str:
-    """A decimal not above x, to print a lower bound."""
-    return _decimal(nextafter(float(x), -inf), digits, ROUND_FLOOR)
-
-
-def _decimal(x: float, digits: int, rounding: str) -> str:
-    d = Context(prec=digits, rounding=rounding).create_decimal(Decimal(x))
-    return f"{float(d):.{digits}g}"
-
-
-def decimal(x: arb, n: int) -> str:
-    """The first n digits after the point of every number in a ball, truncated, not rounded.
-
-    Raises
-    ------
-    NotProved
-        The numbers in the ball do not agree in them.
-
-    Examples
-    --------
-    >>> from flint import arb
-    >>> decimal(-arb(2).sqrt(), 5), decimal(arb("0.123456", "1e-9"), 4)
-    ('-1.41421', '0.1234')
-    >>> decimal(arb("0.125", "1e-9"), 3)
-    Traceback (most recent call last):
-        ...
-    ftseries.certify.algebra.NotProved: not proved: 3 digits of [0.12500000 +/- 1.01e-9]
-    """
-    with ctx.workdps(n + 40):
-        whole = (abs(x) * arb(10)**n).floor().unique_fmpz()
-    if whole is None:
-        raise NotProved(f"not proved: {n} digits of {x.str(10)}")
-    text = whole.str().rjust(n + 1, "0")
-    return ("-" if whole and x < 0 else "") + f"{text[:-n]}.{text[-n:]}"
-
-
-def power_of_ten(x: arb) -> str:
-    """The power of ten not below x > 0, for numbers too small for a float.
-
-    >>> power_of_ten(arb("1.2e-1007"))
-    '1e-1006'
-    """
-    return f"1e{(x.log() / arb(10).log()).upper().ceil().unique_fmpz()}"
 
 
 def norm(trig: Trig, nu: arb) -> arb:

@@ -1,19 +1,21 @@
 """Certificates of theorems as JSON files.
 
-Numbers are exact: the dyadic number m 2^e is the string "m e", a ball two of them.  The file
-carries a SHA-256 of everything else, against damage.  Against an altered file with a new checksum
-stands the proof itself, which :mod:`ftseries.certify.checking` does again.
+Numbers are exact: the dyadic number m 2^e is the string "m e", a ball two of them; see
+:mod:`ftseries.certify.grammar`.  The file carries a SHA-256 of everything else, against damage.
+Against an altered file with a new checksum stands the proof itself, which
+:mod:`ftseries.certify.checking` does again.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from flint import arb
 
 from .. import jsonfile
 from ..aliases import FilePath, Json
-from .algebra import NotProved
+from . import grammar
+from .balls import NotProved
 
 __all__ = ["ball", "exact", "number", "read", "read_ball", "require", "upper_bound",
            "write"]
@@ -23,7 +25,7 @@ _KIND = "ftseries certificate"
 
 def exact(x: arb) -> str:
     """The midpoint of x, bit by bit."""
-    return "{} {}".format(*(int(i) for i in x.mid().man_exp()))
+    return "{} {}".format(*x.mid().man_exp())
 
 
 def ball(x: arb) -> list[str]:
@@ -31,15 +33,15 @@ def ball(x: arb) -> list[str]:
     return [exact(x), exact(x.rad())]
 
 
-def number(text: str) -> arb:
+def number(text: Json) -> arb:
     """The number that :func:`exact` wrote."""
-    mantissa, exponent = (int(i) for i in text.split())
-    return arb((mantissa, exponent))
+    return arb(grammar.dyadic(text))
 
 
-def read_ball(pair: Sequence[str]) -> arb:
+def read_ball(pair: Json) -> arb:
     """A ball that contains the one :func:`ball` wrote, hardly larger."""
-    return number(pair[0]) + arb(0, number(pair[1]))
+    mid, radius = grammar.ball(pair)
+    return mid + arb(0, radius)
 
 
 def write(path: FilePath, data: dict[str, Json]) -> None:

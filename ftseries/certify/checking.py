@@ -2,32 +2,34 @@ r"""Check a certificate: prove its claims again, with none of the code that foun
 
 Formula.  The eight: :mod:`ftseries.certify.checking_eight`, its digits:
 :mod:`ftseries.certify.checking_digits`, its series: :mod:`ftseries.certify.checking_convergence`.
-The eigenvalue: everything in
-:mod:`ftseries.certify.mathieu` is rational, so it is computed exactly here, and negative
-eigenvalues are counted by Descartes' rule, which is exact for a polynomial with real roots only.
-The oscillator: at a = 1, with m = 2λ/(3 + λ), K = K(m), E = E(m) and q = exp(-π K(1-m)/K), it has
+The oscillator: :mod:`ftseries.certify.checking_cubic`.  The eigenvalue: what is rational in
+:mod:`ftseries.certify.mathieu` is computed exactly here, with v scaled to integers.  Only the signs
+of the pivots are decided in balls.
 
-.. math::  ω^2 = \frac{π^2 (3 + λ)}{K^2}, \quad A_0 = 2 - (3 + λ) \frac{E}{K}, \quad
-           A_n = -2 ω^2 \frac{n (-q)^n}{1 - q^{2n}},
-
-and \|A_n\| ≤ 2ω² n qⁿ/(1 - q²) sums up beyond N to at most
-2ω² q^{N+1} (N + 1)/((1 - q²)(1 - q)²).
+Every entry has to obey :mod:`ftseries.certify.grammar`, and no entry may be there that is not read:
+what an accepted file says is proved.
 """
 
 from __future__ import annotations
 
-from flint import acb, arb, ctx, fmpq, fmpq_mat
+from flint import arb, fmpq, fmpz
 
 from ..aliases import FilePath, Json
 from ..errors import FileError
+from ..precision import working
 from . import certificate
-from .algebra import at_least, at_most
-from .certificate import number, read_ball, require
+from .balls import at_least
+from .certificate import read_ball, require
 from .checking_convergence import check_convergence
+from .checking_cubic import check_cubic
 from .checking_digits import check_digits
 from .checking_eight import check_eight
+from .grammar import MOST_BITS, dyadic, entries, exactly, rational, record, whole
 
 __all__ = ["check"]
+
+_PARAMETER = 10000                  # characters of λ and μ
+_EXPONENT = 40000                   # of two, in the eigenvector
 
 
 def check(path: FilePath) -> str:
@@ -53,77 +55,79 @@ def check(path: FilePath) -> str:
     data = certificate.read(path)
     proofs = {"figure eight": check_eight, "convergence": check_convergence,
               "figure eight, digits": check_digits,
-              "Mathieu eigenvalue": _mathieu, "cubic oscillator": _cubic}
+              "Mathieu eigenvalue": _mathieu, "cubic oscillator": check_cubic}
     try:
         kind, precision = data["theorem"], data["precision"]
         if kind not in proofs:
             raise FileError(f"{str(path)!r} holds a theorem of unknown kind {kind!r}")
-        if not 53 <= precision <= 100000:
-            raise FileError(f"{str(path)!r} asks for {precision} bits; 53 to 100000 are possible")
-        with ctx.workprec(precision):
-            proved: str = proofs[kind](data)
+        with working(bits=whole(precision, 53, MOST_BITS)):
+            proved: str = proofs[kind]({name: entry for name, entry in data.items()
+                                        if name not in ("format", "version", "precision")})
             return proved
     except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError) as error:
         raise FileError(f"{str(path)!r} is damaged: {error}; prove the theorem again") from None
 
 
-def _exactly(text: str) -> fmpq:
-    mantissa, exponent = (int(i) for i in text.split())
-    return fmpq(mantissa) * fmpq(2) ** exponent
-
-
-def _rational(text: str) -> fmpq:
-    p, _, q = text.partition("/")
-    return fmpq(int(p), int(q or 1))
-
-
 def _mathieu(data: dict[str, Json]) -> str:
-    lam, mu = _rational(data["lam"]), _rational(data["mu"])
-    v, beta = [_exactly(x) for x in data["vector"]], _exactly(data["beta"])
+    record(data, "theorem lam mu a beta vector")
+    lam, mu = (rational(data[key], _PARAMETER) for key in ("lam", "mu"))
+    beta, v = exactly(data["beta"]), _scaled(data["vector"])
     size, q, s = len(v), lam**2 / 2, lam**4 * mu / 2
-    require(size > 2 and any(v), "v has at least three entries, one not 0")
+    require(any(v), "v is not 0")
+    common = q.q * s.q
 
-    def times(x: list[fmpq], i: int) -> fmpq:
-        total = (2 * i + 1) ** 2 * x[i]
-        for step, factor in ((1, q), (2, s)):
+    def times(x: list[fmpz], i: int) -> fmpz:
+        """Entry i of ``common`` H x."""
+        total = common * (2 * i + 1) ** 2 * x[i]
+        for step, factor in ((1, q.p * s.q), (2, s.p * q.q)):
             low = i - step
             total += factor * (x[i + step] + (x[low] if low >= 0 else -x[-low - 1]))
         return total
 
-    padded = v + [fmpq(0)] * 4
+    padded = v + [fmpz(0)] * 4
     image = [times(padded, i) for i in range(size + 2)]
-    square = sum((c * c for c in v), fmpq(0))
-    eta = sum((c * y for c, y in zip(v, image)), fmpq(0)) / square
-    rest = sum(((y - eta * c) ** 2 for y, c in zip(image, padded)), fmpq(0)) / square
+    square = sum((c * c for c in v), fmpz(0))
+    along = sum((c * y for c, y in zip(v, image)), fmpz(0))
+    across = sum(((y * square - along * c) ** 2 for y, c in zip(image, padded)), fmpz(0))
+    eta, rest = fmpq(along, common * square), fmpq(across, common**2 * square**3)
     require(eta < beta, "η < β")
     norm = abs(q) + abs(s)
     tau = (2 * size + 1) ** 2 - 2 * norm - beta
     require(tau > 0, "τ > 0")
-    block = fmpq_mat(size, size)
-    for k in range(size):
-        unit = [fmpq(int(i == k)) for i in range(size + 2)]
-        for i in range(size):
-            block[i, k] = times(unit, i) - (beta + norm**2 / tau if i == k else 0)
-    signs = [c * (-1) ** i > 0 for i, c in enumerate(block.charpoly().coeffs()) if c]
-    require(sum(a != b for a, b in zip(signs, signs[1:])) == 1, "one eigenvalue below β")
-    mid, rad = (_exactly(c) for c in data["a"])
+    require(_negative_pivots(size, arb(q), arb(s), arb(beta + norm**2 / tau)) == 1,
+            "one eigenvalue below β")
+    mid, rad = (exactly(c) for c in data["a"])
     require(mid - rad <= eta - rest / (beta - eta) and eta <= mid + rad, "the enclosure of a")
     return (f"Checked. For λ = {lam}, μ = {mu} the lowest eigenvalue of (M1) with odd modes is "
             f"{read_ball(data['a']).str(40)}, and the next is at least {at_least(arb(beta), 6)}.")
 
 
-def _cubic(data: dict[str, Json]) -> str:
-    lam = arb(_rational(data["lam"]) / _rational(data["a"]))
-    modes, r = [arb(_rational(c)) for c in data["modes"]], number(data["radius"])
-    require(lam > 0 and lam < 3, "0 < λ < 3a")
-    m, top = 2 * lam / (3 + lam), len(modes) - 1
-    k, e, other = (f.real for f in (acb(m).elliptic_k(), acb(m).elliptic_e(),
-                                    acb(1 - m).elliptic_k()))
-    q, square = (-arb.pi() * other / k).exp(), arb.pi() ** 2 * (3 + lam) / k**2
-    error = abs(square - arb(_rational(data["square"]))) + abs(2 - (3 + lam) * e / k - modes[0])
-    for n in range(1, top + 1):
-        error += abs(-2 * square * n * (-q) ** n / (1 - q ** (2 * n)) - modes[n])
-    error += 2 * square * q ** (top + 1) * (top + 1) / ((1 - q**2) * (1 - q) ** 2)
-    require(error <= r, "|ω² - Ω̄| + Σ |A_n - Ā_n| ≤ r")
-    return (f"Checked. At a = {data['a']}, λ = {data['lam']} the amplitudes in the file are within "
-            f"{at_most(r)} a of the solution's.")
+def _scaled(vector: Json) -> list[fmpz]:
+    """Dyadic numbers times a power of two that makes them integers."""
+    pairs = [dyadic(x) for x in entries(vector, 3, 512)]
+    least = min(whole(e, -_EXPONENT, _EXPONENT) for _, e in pairs)
+    return [m << (e - least) for m, e in pairs]
+
+
+def _negative_pivots(size: int, q: arb, s: arb, shift: arb) -> int:
+    """How many pivots of the corner of H - shift are negative, once the signs are certain.
+
+    Three rows of what is left of the matrix are enough, for it has five diagonals.
+    """
+    def entry(i: int, j: int) -> arb:
+        total = arb((2 * i + 1) ** 2) - shift if i == j else arb(0)
+        for step, factor in ((1, q), (2, s)):
+            total += factor * ((abs(i - j) == step) - (i + j + 1 == step))
+        return total
+
+    negative, left = 0, {(i, j): entry(i, j) for i in range(2) for j in range(2)}
+    for k in range(size):
+        left |= {(i, k + 2): entry(i, k + 2) for i in range(k, k + 3)}
+        left |= {(k + 2, j): left[j, k + 2] for j in range(k, k + 2)}
+        pivot = left[k, k]
+        require(pivot > 0 or pivot < 0, "a pivot is not 0")
+        negative += bool(pivot < 0)
+        for i in (k + 1, k + 2):
+            for j in (k + 1, k + 2):
+                left[i, j] -= left[i, k] * left[k, j] / pivot
+    return negative

@@ -16,10 +16,13 @@ from operator import mul
 from flint import arb, arb_poly
 
 from ..aliases import Json
-from .algebra import at_least, at_most
+from .balls import at_least, at_most
 from .certificate import number, require, upper_bound
+from .grammar import decimal, entries, integers, modes, record, whole
 
 __all__ = ["check_convergence"]
+
+_LARGE = 200                        # bits of an integer
 
 
 def _length(poly: arb_poly) -> arb:
@@ -97,16 +100,18 @@ class _Waves:
 
 def check_convergence(data: Json) -> str:
     """What the certificate proves, as a sentence, or :class:`ftseries.certify.NotProved`."""
-    kappa, top, orders = arb(data["lam"]), data["modes"], data["orders"]
-    require(kappa > 0 and 4 <= top <= 10**3 and 1 <= orders <= 10**4, "λ > 0, sensible sizes")
+    record(data, "theorem lam modes orders center root inverse radius uniqueness largest norms")
+    kappa, top = decimal(data["lam"]), whole(data["modes"], 4, 400)
+    orders = whole(data["orders"], 1, 2000)
+    require(kappa > 0, "λ > 0")
     limits = 2 * top, orders
     low, high, largest = (number(data[key]) for key in ("radius", "uniqueness", "largest"))
     require(low >= 0 and low < high and high <= largest, "0 ≤ r < R ≤ r*")
-    center, root = ({n: row for n, *row in data[key]} for key in ("center", "root"))
-    require(all(n == 0 or n > 0 and n % 3 for n in center) and {0, 1} <= center.keys(),
+    center, root = ({n: integers(row, orders, _LARGE) for n, row in
+                     modes(data[key], 2 * top).items()} for key in ("center", "root"))
+    require(all(n == 0 or n % 3 for n in center) and {0, 1} <= center.keys(),
             "x̄ has the modes 0, 1, 2, 4, 5, …")
-    require(all(n >= 0 and n % 2 == 0 for n in root), "v has even modes")
-    require(max(map(len, [*center.values(), *root.values()])) <= orders, "the number of orders")
+    require(all(n % 2 == 0 for n in root), "v has even modes")
     part = [_Waves.cosines({n: row for n, row in center.items() if n % 2 == i}, 60, limits)
             for i in (0, 1)]
     v = _Waves.cosines(root, 60, limits)
@@ -124,9 +129,9 @@ def check_convergence(data: Json) -> str:
          [(h * u * y).times(-3), g + (h * y * y).times(-3).times_mu()]]
     angle = [(y * inverse).times(-1), u * inverse]
     index = [n for n in range(top + 1) if n == 0 or n % 3]
-    require(len(data["inverse"]) == len(index)
-            and all(len(row) == len(index) for row in data["inverse"]), "the size of the matrix")
-    a = [[arb_poly(c) * arb(2) ** -30 for c in row] for row in data["inverse"]]
+    size = (len(index),) * 2
+    a = [[arb_poly(integers(c, orders, _LARGE)) * arb(2) ** -30 for c in entries(row, *size)]
+         for row in entries(data["inverse"], *size)]
     columns = [sum((_length(row[j]) for row in a), arb(0)) for j in range(len(index))]
     norm_a = upper_bound([*columns, 1 / arb(top + 1) ** 2])
     rate = (u * y.slope() + (y * u.slope()).times(-1)) * inverse
@@ -140,6 +145,7 @@ def check_convergence(data: Json) -> str:
     sums = {"r": arb(3).root(3) * (rho.norm() + drho * low),
             "phi": (sum((2 * x / n for n, x in rate.lengths().items()), arb(0))
                     + rate.error + dchi * low)}
+    record(data["norms"], "r phi")
     for name, bound in sums.items():
         require(bound <= number(data["norms"][name]), f"the bound of the series of {name}")
     return ("Checked. The Fourier-Taylor series of the figure eight converge absolutely for all "

@@ -13,13 +13,17 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from flint import acb, arb, arb_mat, arb_poly, ctx
+from flint import acb, arb, arb_mat, arb_poly
 
 from ..aliases import Json
-from .algebra import at_least, at_most
+from ..precision import working
+from .balls import at_least, at_most
 from .certificate import number, read_ball, require, upper_bound
+from .grammar import decimal, entries, modes, record, whole
 
-__all__ = ["Laurent", "Proved", "check_eight", "lambda_zero", "prove", "residual"]
+__all__ = ["Laurent", "Proved", "check_eight", "lambda_zero", "prove", "residual", "root_modes"]
+
+_MODES = 400
 
 
 class Laurent:
@@ -44,7 +48,7 @@ class Laurent:
 
     def size(self) -> arb:
         """Norm of what is known."""
-        with ctx.workprec(64):
+        with working(bits=64):
             return sum((abs(self[n]) * self.nu ** abs(n) for n in self.powers), arb(0)).upper()
 
     def norm(self) -> arb:
@@ -102,18 +106,21 @@ def check_eight(data: dict[str, Json]) -> str:
     proved = prove(data)
     return ("Checked. Newton's equations of three equal bodies have exactly one solution with the "
             f"symmetries of the figure eight within {at_least(proved.high)} of the Fourier sum in "
-            f"the file; it lies within {at_most(proved.low)} of it, never collides, and λ₀ = "
+            f"the file (ℓ¹ norm, ν = {data['nu']}, unit 3^(1/3)); it lies within "
+            f"{at_most(proved.low)} of it, never collides, and λ₀ = "
             f"{read_ball(data['lam']).str(25)}.")
 
 
 def prove(data: dict[str, Json]) -> Proved:
     """:class:`Proved`, or :class:`ftseries.certify.NotProved`."""
-    nu, top = arb(data["nu"]), data["modes"]
-    u = {int(n): number(c) for n, c in data["center"]}
+    record(data, "theorem nu modes center root inverse largest radius uniqueness lam positions "
+                 "velocities")
+    nu, top = decimal(data["nu"]), whole(data["modes"], 4, _MODES)
+    u = {n: number(c) for n, (c,) in modes(data["center"], top).items()}
     low, high, largest = (number(data[key]) for key in ("radius", "uniqueness", "largest"))
     require(nu > 1 and low >= 0 and low < high and high <= largest, "0 ≤ r < R ≤ r*, ν > 1")
     require(all(0 < n <= top and n % 3 for n in u), "ū has the modes 1, 2, 4, …, N")
-    v = Laurent.cosines({int(n): number(c) for n, c in data["root"]}, nu)
+    v = Laurent.cosines(root_modes(data, top), nu)
     part = [Laurent.cosines({n: c for n, c in u.items() if n % 2 == i}, nu) for i in (0, 1)]
     one = Laurent.cosines({0: arb(1)}, nu)
     w = part[0] * part[0] + part[1] * part[1]
@@ -133,8 +140,9 @@ def prove(data: dict[str, Json]) -> Proved:
     m = [[(h * part[i] * part[j]).times(-3).cut(2 * top) for j in (0, 1)] for i in (0, 1)]
     m = [[m[i][j] + g if i == j else m[i][j] for j in (0, 1)] for i in (0, 1)]
     index = [n for n in range(1, top + 1) if n % 3]
-    a = arb_mat([[number(c) for c in row] for row in data["inverse"]])
-    require((a.nrows(), a.ncols()) == (len(index),) * 2, "the size of the matrix")
+    size_a = (len(index),) * 2
+    a = arb_mat([[number(c) for c in entries(row, *size_a)]
+                 for row in entries(data["inverse"], *size_a)])
     norm_a = upper_bound([*_column_norms(a, index, index, nu), 1 / arb(top + 1) ** 2])
     y = residual(u, [part[i] * g for i in (0, 1)], a, index, top, norm_a, nu)
     z1 = _first(a, m, index, top, norm_a, nu)
@@ -146,6 +154,13 @@ def prove(data: dict[str, Json]) -> Proved:
             "the enclosure of λ₀")
     _initial_values(data, part, low, nu)
     return Proved(nu, top, u, index, a, norm_a, z1, z2, low, high, largest)
+
+
+def root_modes(data: dict[str, Json], top: int) -> dict[int, arb]:
+    """The Fourier coefficients of v."""
+    v = {n: number(c) for n, (c,) in modes(data["root"], 2 * top).items()}
+    require(all(n % 2 == 0 for n in v), "v has even modes")
+    return v
 
 
 def _column_norms(matrix: arb_mat, rows: list[int], columns: list[int], nu: arb) -> Iterator[arb]:
@@ -213,9 +228,8 @@ def _initial_values(data: dict[str, Json], part: Sequence[Laurent], low: arb, nu
                          for n in range(-f.degree, f.degree + 1)), acb(0)).real for f in part)
             sums.append(acb(x, y))
         error = 2 * low * unit / 3 / (arb(1).exp() * nu.log()) ** moment
-        require(len(data[name]) == 3, f"the number of {name}")
-        for i, (x, y) in enumerate(data[name]):
+        for i, claims in enumerate(entries(data[name], 3, 3)):
             body = (sums[i] - sums[i - 1]) * unit / 3
-            for claim, value in ((x, body.real), (y, body.imag)):
+            for claim, value in zip(entries(claims, 2, 2), (body.real, body.imag)):
                 require(read_ball(claim).contains(value + arb(0, error.upper())),
                         f"the enclosure of the {name}")

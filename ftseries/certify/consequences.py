@@ -19,7 +19,8 @@ from flint import acb, arb
 from ..aliases import Modes
 from ..errors import InputError
 from ..series import DERIVATIVES
-from .algebra import RING, Enclosure, NotProved, upper
+from .algebra import RING, Enclosure, upper
+from .balls import NotProved
 
 if TYPE_CHECKING:
     from ..trig import Trig

@@ -23,14 +23,16 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from flint import arb, ctx
+from flint import arb
 
 from ..aliases import Array, ComplexArray, Exact, FilePath
 from ..arguments import whole
 from ..errors import InputError
+from ..precision import working
 from ..problems.figure_eight import is_gravitational
 from . import certificate
-from .algebra import NotProved, at_least, at_most, given, upper, written
+from .algebra import given, upper, written
+from .balls import NotProved, at_least, at_most
 from .convergence_bounds import GUESS, INVERSE, Matrix, Rows, block, prove
 from .eight import EightTheorem
 from .fourier_taylor import Integers, Space
@@ -98,7 +100,7 @@ class ConvergenceTheorem:
         """
         if name not in self.sizes:
             raise InputError(f"{name!r} is not an unknown of the figure eight: 'r' or 'phi'")
-        with ctx.workprec(PRECISION):
+        with working(bits=PRECISION):
             q = given("lam", lam) / arb(self.lam)
             if not (q >= 0 and q <= 1):
                 raise InputError(f"lam={lam}: the theorem is about 0 ≤ λ ≤ {self.lam}")
@@ -126,7 +128,7 @@ class ConvergenceTheorem:
         NotProved
             λ₀ is not in the disc, or the two are not close enough to be the same.
         """
-        with ctx.workprec(PRECISION):
+        with working(bits=PRECISION):
             root_mu = eight.lam / arb(self.lam)
             if not root_mu < 1:
                 raise NotProved(f"not proved: λ₀ = {eight.lam.str(8)} is not below {self.lam}")
@@ -186,7 +188,7 @@ def prove_convergence(series: Any, lam: Exact = "2.08", modes: int = 40,
         raise InputError(f"{series!r} is not a series of the figure eight")
     modes = whole("modes", modes, 4)
     orders = orders if orders is None else whole("orders", orders, 1)
-    with ctx.workprec(PRECISION):
+    with working(bits=PRECISION):
         kappa = given("lam", lam := written("lam", lam))
         if not (kappa > 0 and kappa < 10):
             raise InputError(f"lam={lam}: the radius of the disc must be above 0 (and below 10)")

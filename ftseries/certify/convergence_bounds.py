@@ -16,7 +16,8 @@ from typing import Any, TypeAlias
 
 from flint import arb, fmpz, fmpz_poly
 
-from .algebra import NotProved, largest_of, negative_power, upper
+from .algebra import largest_of, negative_power, upper
+from .balls import NotProved
 from .fourier_taylor import BITS, FourierTaylor, Space, size
 from .newton_kantorovich import Bounds, radius
 

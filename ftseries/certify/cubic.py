@@ -22,15 +22,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from flint import arb, arb_mat, ctx, fmpq
+from flint import arb, arb_mat, fmpq
 
 from ..aliases import Exact, FilePath
 from ..arguments import decimal, whole
 from ..errors import InputError
+from ..precision import working
 from ..problems.cubic import CubicOscillator
 from ..solver import solve
 from . import certificate
-from .algebra import NotProved, at_most, largest_of, upper
+from .algebra import largest_of, upper
+from .balls import NotProved, at_most
+from .grammar import MOST_BITS
 from .newton_kantorovich import Bounds, radius
 
 __all__ = ["CubicTheorem", "cubic_bound"]
@@ -78,7 +81,8 @@ class CubicTheorem:
 
     def at(self, t: float) -> arb:
         """A bound of the error of x at the time t (a number): its phase drifts."""
-        return upper(self.amplitudes + abs(arb(t)) * self.omega * self.slope)
+        with working(bits=self.precision):
+            return upper(self.amplitudes + abs(arb(t)) * self.omega * self.slope)
 
     def save(self, path: FilePath) -> None:
         """Write a certificate for :func:`ftseries.certify.check`."""
@@ -100,7 +104,7 @@ def cubic_bound(a: Exact, lam: Exact, order: int, precision: int = 256) -> Cubic
     order : int
         Taylor order of the truncated series.
     precision : int
-        Bits, 53 to 100000.
+        Bits, 53 to 20000.
 
     Raises
     ------
@@ -115,7 +119,7 @@ def cubic_bound(a: Exact, lam: Exact, order: int, precision: int = 256) -> Cubic
     (True, True, True)
     """
     a, lam = decimal(a), decimal(lam)
-    order, precision = whole("order", order), whole("precision", precision, 53, 100_000)
+    order, precision = whole("order", order), whole("precision", precision, 53, MOST_BITS)
     if not a > 0 or not lam > 0:
         raise InputError(f"a={a}, lam={lam}: both must be positive")
     scaled = lam / a
@@ -127,7 +131,7 @@ def cubic_bound(a: Exact, lam: Exact, order: int, precision: int = 256) -> Cubic
     root = sum((c * scaled**m for m, row in enumerate(solution.coefficients["omega"])
                 for c in row.values()), fmpq(0))
     square = 12 * root**2
-    with ctx.workprec(precision):
+    with working(bits=precision):
         bounds = _bounds(square, modes, scaled)
         low, _ = radius(bounds)
         if not (low < arb(square) and low < abs(arb(modes[1]))):

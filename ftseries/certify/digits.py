@@ -34,15 +34,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from flint import acb, arb, arb_mat, ctx, fmpz
+from flint import acb, arb, arb_mat, fmpz
 
 from ..aliases import FilePath, Json
 from ..arguments import whole
 from ..errors import FileError
+from ..precision import working
 from ..problems.figure_eight import FigureEight
 from ..solver import solve
 from . import certificate
-from .algebra import RING, NotProved, at_most, decimal, power_of_ten, upper
+from .algebra import RING, upper
+from .balls import NotProved, at_most, decimal, power_of_ten
 from .consequences import ROOM, lambda_zero
 from .eight import EightTheorem, prove_eight, waves
 from .eight_bounds import inverse_norm, residual_bound
@@ -94,14 +96,14 @@ class EightDigits:
     @property
     def positions(self) -> tuple[acb, acb, acb]:
         """Balls around r_1, r_2, r_3 at t = 0, complex as in x + iy."""
-        with ctx.workprec(self.precision):
+        with working(bits=self.precision):
             z = self._sum(lambda n: 1, self.distance) * arb(3).root(3) / 2
             return z, -z, acb(0)
 
     @property
     def velocities(self) -> tuple[acb, acb, acb]:
         """Balls around the velocities of the three bodies at t = 0."""
-        with ctx.workprec(self.precision):
+        with working(bits=self.precision):
             rate = self.distance / (arb(1).exp() * arb(self.proof["nu"]).log())
             half = arb(3).sqrt() / 2
             z = self._sum(lambda n: (-n if n % 3 == 1 else n) * half, rate)
@@ -111,13 +113,13 @@ class EightDigits:
     @property
     def energy(self) -> arb:
         """A ball around the energy."""
-        with ctx.workprec(self.precision):
+        with working(bits=self.precision):
             return 3 * abs(self.velocities[2])**2 / 4 - 5 / (2 * abs(self.positions[0]))
 
     @property
     def coefficients(self) -> dict[int, arb]:
         """``{n: ball}``, in x_3 (n even) and y_3 (n odd) the coefficient of sin nt; see (E7)."""
-        with ctx.workprec(self.precision):
+        with working(bits=self.precision):
             unit = 1 / arb(3).root(6)
             error = arb(0, upper(self.distance))
             return {n: (self.unknown(n) + error) * (-unit if n % 3 == 1 else unit)
@@ -135,7 +137,7 @@ class EightDigits:
 
         That is how initial values are usually printed.
         """
-        with ctx.workprec(self.precision):
+        with working(bits=self.precision):
             r, v = self.positions[0], self.velocities[2]
             size, turn = abs(r), acb(0, 1)
             return {"position_1": turn * acb(r.real, -r.imag) / size,
@@ -221,7 +223,7 @@ def certified(theorem: EightTheorem, guess: Pass, n: int) -> EightDigits:
     NotProved
         The guess is outside the ball of the theorem, or its root is too poor.
     """
-    with ctx.workprec(guess.bits + 64):
+    with working(bits=guess.bits + 64):
         nu, unit = arb(theorem.nu), arb(2)**-guess.bits
         u = {k: arb(c) * unit for k, c in guess.u.items()}
         scale = arb(2)**-guess.root_bits
@@ -232,8 +234,8 @@ def certified(theorem: EightTheorem, guess: Pass, n: int) -> EightDigits:
         index, top = list(theorem.center), theorem.modes
         weight = {k: nu**k for k in range(1, 3 * max(u) + 3 * len(guess.root) * 2)}
         a = arb_mat([[arb(c) for c in row] for row in theorem.inverse])
-        gap = sum((abs(c - arb(theorem.center.get(k, 0.0))) * weight[k] for k, c in u.items()),
-                  arb(0))
+        gap = sum((abs(u.get(k, arb(0)) - arb(theorem.center.get(k, 0.0))) * nu**k
+                   for k in u.keys() | theorem.center.keys()), arb(0))
         reach, bounds = upper(gap.max(theorem.radius)), theorem.bounds
         gain = 1 - bounds.z1 - bounds.z2 * reach
         if not (reach <= bounds.largest and gain > 0):
@@ -270,7 +272,7 @@ def load_digits(path: Any) -> EightDigits:
         index = (n for n in range(1, 10**6) if n % 3)
         unknowns = {n: fmpz(int.from_bytes(b64decode(text), "big", signed=True))
                     for text, n in zip(data["unknowns"].split(), index)}
-        with ctx.workprec(data["precision"]):
+        with working(bits=data["precision"]):
             found = EightDigits(data["digits"], data["bits"], unknowns,
                                 certificate.number(data["distance"]),
                                 certificate.read_ball(data["lam"]), data["eight"])

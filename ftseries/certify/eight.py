@@ -21,16 +21,19 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from flint import acb, arb, arb_mat, ctx
+from flint import acb, arb, arb_mat
 
 from ..aliases import FilePath, Json
 from ..arguments import scalar, whole
 from ..errors import InputError
+from ..precision import working
 from ..problems.figure_eight import closure_zero, is_gravitational
 from . import certificate
-from .algebra import RING, Enclosure, at_least, at_most, given, largest_of, upper, written
+from .algebra import RING, Enclosure, given, largest_of, upper, written
+from .balls import at_least, at_most
 from .consequences import distance_from, initial_values, lambda_zero
 from .eight_bounds import entries, inverse_norm, residual_bound, z1_bound, z2_bound
+from .grammar import MOST_BITS
 from .newton_kantorovich import Bounds, radius
 
 if TYPE_CHECKING:
@@ -78,11 +81,13 @@ class EightTheorem:
     precision: int
 
     def __str__(self) -> str:
-        b, total = self.bounds, self.radius + self.distance
+        b = self.bounds
+        with working(bits=self.precision):
+            total, alone = upper(self.radius + self.distance), self.uniqueness - self.distance
         return ("Theorem. Newton's equations of three equal bodies have exactly one solution with "
                 "the symmetries of the figure eight within "
-                f"{at_least(self.uniqueness - self.distance)} of the given series, and it lies "
-                f"within {at_most(upper(total))} of it (ℓ¹ norm, ν = {self.nu}, unit 3^(1/3)). "
+                f"{at_least(alone)} of the given series, and it lies "
+                f"within {at_most(total)} of it (ℓ¹ norm, ν = {self.nu}, unit 3^(1/3)). "
                 f"The bodies never collide. λ₀ = {self.lam.str(25)}. [N = {self.modes}, "
                 f"Y = {at_most(b.y)}, Z₁ = {at_most(b.z1)}, Z₂ = {at_most(b.z2)}, "
                 f"r* = {at_least(b.largest)}]")
@@ -123,7 +128,7 @@ def prove_eight(orbit: Any, lam: float | None = None, modes: int = 100, nu: Any 
     nu : str or number
         The weight ν of the norm, above 1.
     precision : int
-        Bits, 53 to 100000.
+        Bits, 53 to 20000.
 
     Raises
     ------
@@ -139,9 +144,9 @@ def prove_eight(orbit: Any, lam: float | None = None, modes: int = 100, nu: Any 
     """
     if not is_gravitational(orbit):
         raise InputError(f"{orbit!r} is not a figure eight under gravitation")
-    modes, precision = whole("modes", modes, 4), whole("precision", precision, 53, 100_000)
+    modes, precision = whole("modes", modes, 4), whole("precision", precision, 53, MOST_BITS)
     lam = None if lam is None else scalar("lam", lam)
-    with ctx.workprec(precision):
+    with working(bits=precision):
         weight = given("nu", nu := written("nu", nu))
         if not weight > 1:
             raise InputError(f"nu={nu}: the weight must be above 1")

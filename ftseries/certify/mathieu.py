@@ -24,14 +24,16 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from flint import arb, arb_mat, ctx, fmpq
+from flint import arb, arb_mat, fmpq
 
 from ..aliases import Array, Exact, FilePath
 from ..arguments import decimal, whole
 from ..errors import InputError
+from ..precision import working
 from ..problems.mathieu import GeneralizedMathieu
 from . import certificate
-from .algebra import NotProved, at_least, upper
+from .algebra import upper
+from .balls import NotProved, at_least
 
 __all__ = ["EigenvalueTheorem", "mathieu_eigenvalue"]
 
@@ -93,7 +95,7 @@ class EigenvalueTheorem:
             raise InputError(f"{solution!r} is not a series of the lowest odd solution of (M1)")
         if problem.mu is not None and problem.mu != self.mu:
             raise InputError(f"the series has μ = {problem.mu}, the theorem μ = {self.mu}")
-        with ctx.workprec(self.precision):
+        with working(bits=self.precision):
             total = arb(0)
             for m, row in enumerate(solution.coefficients["a"]):
                 for c in row.values():
@@ -134,7 +136,7 @@ def mathieu_eigenvalue(lam: Exact, mu: Exact = 0, digits: int = 30) -> Eigenvalu
         raise InputError(f"lam={lam}, mu={mu}: both must be below 10^12 in size")
     digits = whole("digits", digits, 1, 1000)
     size, precision = 16, int(3.33 * digits) + 96
-    with ctx.workprec(precision):
+    with working(bits=precision):
         while True:
             try:
                 a, beta, vector = _prove(lam, mu, size, digits)

@@ -20,7 +20,8 @@ from dataclasses import dataclass
 
 from flint import arb
 
-from .algebra import NotProved, upper
+from .algebra import upper
+from .balls import NotProved
 
 __all__ = ["Bounds", "radius"]
 

@@ -10,13 +10,13 @@ import warnings
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-import mpmath
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from ..aliases import ArrayLike
 from ..errors import ConvergenceWarning, InputError
+from ..precision import working
 from ..references import cubic, weierstrass
 from . import style
 
@@ -149,7 +149,7 @@ def _times(sol: Solution, lam: float, periods: float, parts: int,
     """`parts` + 1 equal steps from 0 to the end of `periods` exact periods."""
     if dps is None:
         return np.linspace(0, periods * cubic.period(lam, _a(sol)), parts + 1)
-    with mpmath.workdps(dps):
+    with working(digits=dps):
         end = periods * cubic.period(lam, _a(sol), dps=dps)
         return np.array([end * k / parts for k in range(parts + 1)])
 

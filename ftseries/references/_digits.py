@@ -11,6 +11,7 @@ from flint import fmpq
 
 from ftseries.arguments import decimal, shown, whole
 from ftseries.errors import InputError
+from ftseries.precision import working
 
 GUARD = 10
 """Decimal digits carried beyond those asked for."""
@@ -49,5 +50,7 @@ def in_digits(dps: Any, function: Callable[..., Any], *arguments: Any) -> Any:
     '1.4142135623730950488'
     """
     dps = whole("dps", dps, 1)
-    with mpmath.workdps(dps):
-        return mpmath.workdps(dps + GUARD, normalize_output=True)(function)(*arguments)
+    with working(digits=dps):
+        with working(digits=dps + GUARD):
+            value = function(*arguments)
+        return tuple(+x for x in value) if isinstance(value, tuple) else +value

@@ -18,13 +18,13 @@ from contextlib import contextmanager
 from math import comb
 from typing import Any
 
-import flint
 import sympy
 from flint import fmpq, fmpq_series
 
 from ftseries.aliases import Exact, Expr
 from ftseries.arguments import decimal, whole
 from ftseries.errors import InputError
+from ftseries.precision import working
 
 __all__ = ["fourier_taylor", "frequency_squared_taylor", "frequency_taylor"]
 
@@ -68,8 +68,7 @@ def fourier_taylor(n: int, order: int, a: Exact = 1) -> list[Expr]:
 def _closed_forms(order: int) -> Iterator[Any]:
     """ω², A_0 and q as series in λ at a = 1, while flint keeps `order` + 1 terms."""
     terms = order + 2  # one is lost to the division by m
-    cap, flint.ctx.cap = flint.ctx.cap, terms
-    try:
+    with working(terms=terms):
         squares = [fmpq(comb(2 * k, k) ** 2, 16**k) for k in range(terms)]
         F = fmpq_series(squares)
         G = fmpq_series([c / (1 - 2 * k) for k, c in enumerate(squares)])
@@ -80,8 +79,6 @@ def _closed_forms(order: int) -> Iterator[Any]:
         of_lam = fmpq_series([0, 2]) / stretch
         F, G, q = F(of_lam), G(of_lam), q(of_lam)
         yield 4 * stretch / (F * F), 2 - stretch * G / F, q
-    finally:
-        flint.ctx.cap = cap
 
 
 def _rationals(series: Any, order: int) -> list[fmpq]:

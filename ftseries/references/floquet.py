@@ -22,6 +22,7 @@ import numpy as np
 
 from ftseries.arguments import whole
 from ftseries.errors import InputError
+from ftseries.precision import working
 from ftseries.references import newton
 from ftseries.references._digits import GUARD, number
 
@@ -39,7 +40,7 @@ def hill_monodromy(a: Any, lam: Any, mu: Any = 0, end: Any = None, dps: int = 30
     [ 0.0  2.0]
     [-0.5  0.0]
     """
-    with mpmath.workdps(whole("dps", dps, 1) + GUARD):
+    with working(digits=whole("dps", dps, 1) + GUARD):
         a, lam, mu = number("a", a), number("lam", lam), number("mu", mu)
         end = +mpmath.pi if end is None else number("end", end)
         steps = max(1, math.ceil(abs(end) * STEPS))

@@ -17,12 +17,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_series
+from flint import acb, acb_poly, arb, fmpq, fmpq_series
+
+from ftseries.precision import working
 
 __all__ = ["pendulum", "duffing", "duffing_turn"]
 
 #: terms of a series in q where |q| = 0.16 is meant: the rest is below all rounding
 _TERMS = 40
+_BITS = 100
 
 
 def pendulum(order: int) -> list[fmpq]:
@@ -51,16 +54,13 @@ def duffing_turn() -> complex:
     >>> round(duffing_turn().real, 12), round(duffing_turn().imag, 12)
     (-1.306238065953, 0.690193869702)
     """
-    previous, ctx.cap = ctx.cap, _TERMS
-    try:
+    with working(bits=_BITS, terms=_TERMS):
         q, inverse = _squares(_TERMS, 2)
         below = (1 + q)**2 * inverse                                # λ² = 32 q / below
         turns = below - q * below.derivative()
         zeros = acb_poly([arb(turns[k]) for k in range(_TERMS - 1)]).roots()
         place = complex(min((z for z in zeros if z.imag > 0), key=lambda z: float(abs(z).mid())))
         return 32 * place / complex(acb_poly([arb(below[k]) for k in range(_TERMS)])(acb(place)))
-    finally:
-        ctx.cap = previous
 
 
 def _squares(terms: int, weight: int) -> tuple[Any, Any]:
@@ -73,11 +73,8 @@ def _squares(terms: int, weight: int) -> tuple[Any, Any]:
 
 
 def _frequency(order: int, weight: int, factor: Callable[[Any], Any]) -> list[fmpq]:
-    previous, ctx.cap = ctx.cap, order + 2
-    try:
+    with working(terms=order + 2):
         q, inverse = _squares(order + 2, weight)
         omega2 = 1 / inverse
         series = omega2((factor(omega2) * q / (1 + q)**2).reversion())
         return [fmpq(series[k]) for k in range(order + 1)]
-    finally:
-        ctx.cap = previous

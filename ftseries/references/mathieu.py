@@ -30,6 +30,7 @@ from scipy.integrate import solve_ivp
 from ftseries.aliases import ArrayLike
 from ftseries.arguments import real, whole
 from ftseries.errors import InputError
+from ftseries.precision import working
 from ftseries.references._digits import GUARD, in_digits, number
 
 __all__ = [
@@ -196,7 +197,7 @@ def _eigenpair_in_digits(lam: Any, mu: Any, index: int) -> Any:
     squares, first, second = map(mpmath.matrix, _parts(size))
     matrix = squares + lam**2 / 2 * first + lam**4 * mu / 2 * second
     vector = mpmath.matrix(list(_eigenpair(*rough)[1]) + [0] * size)[:size]
-    with mpmath.extradps(GUARD):
+    with working(digits=mpmath.mp.dps + GUARD):
         for _ in range(20):
             vector /= mpmath.norm(vector)
             image = matrix * vector

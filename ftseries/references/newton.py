@@ -28,6 +28,7 @@ import mpmath
 import numpy as np
 
 from ftseries.arguments import real, whole
+from ftseries.precision import working
 from ftseries.references._digits import GUARD, number
 from ftseries.references.three_bodies import (
     angular_momentum,
@@ -186,4 +187,4 @@ def _arithmetic(dps: int | None) -> _Arithmetic:
 
 
 def _precision(dps: int | None) -> AbstractContextManager[Any]:
-    return nullcontext() if dps is None else mpmath.workdps(whole("dps", dps, 1) + GUARD)
+    return nullcontext() if dps is None else working(digits=whole("dps", dps, 1) + GUARD)

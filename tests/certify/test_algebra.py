@@ -7,7 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ftseries.certify import NotProved
-from ftseries.certify.algebra import RING, Enclosure, at_least, at_most, largest_of, norm, upper
+from ftseries.certify.algebra import RING, Enclosure, largest_of, norm, upper
+from ftseries.certify.balls import at_least, at_most
 
 NU = arb("1.1")
 SUMS = st.dictionaries(st.tuples(st.integers(0, 1), st.integers(1, 6)), st.floats(-1, 1),

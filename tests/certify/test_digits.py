@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 import ftseries as fts
 from ftseries.certify import NotProved, certificate, check, prove_eight
-from ftseries.certify.algebra import decimal
+from ftseries.certify.balls import decimal
 from ftseries.certify.digits import PROOF, STORED, certified
 from ftseries.certify.lifting import lift
 from ftseries.errors import FileError, InputError
