@@ -27,7 +27,8 @@ SIGNS = {"**(1/3)": "^(1/3)", "**": "^", "*": " · ", "-": "−", "mu": "μ", "o
 class CoefficientsView(View):
     """Cells (n, m): size and sign by colour, the exact number of the chosen one as text.
 
-    ``texts`` maps "sine,n,m" to the exact number.
+    ``texts`` maps "sine,n,m" to the exact number; ``alone`` lets the page start the growth, until
+    the reader takes a control.
     """
 
     scripts = ("coefficients.js",)
@@ -35,10 +36,11 @@ class CoefficientsView(View):
     label = traitlets.Unicode().tag(sync=True)
     scalar = traitlets.Bool(False).tag(sync=True)
     texts = traitlets.Dict().tag(sync=True)
+    alone = traitlets.Bool(False).tag(sync=True)
     playing = traitlets.Bool(False).tag(sync=True)
 
 
-def coefficients(solution: Solution, name: str, order: int | None = None,
+def coefficients(solution: Solution, name: str, order: int | None = None, alone: bool = False,
                  **parameters: float) -> Explorer:
     """Explore the coefficients A_{n,m} of one unknown of a solution as the order grows.
 
@@ -49,6 +51,8 @@ def coefficients(solution: Solution, name: str, order: int | None = None,
         An unknown of its problem.
     order : int, optional
         The order shown first; the solution's own by default.
+    alone : bool
+        Whether the triangle grows by itself until the reader takes a control.
     **parameters
         Values of the problem's free parameters, for the colours.
 
@@ -72,7 +76,7 @@ def coefficients(solution: Solution, name: str, order: int | None = None,
              for (sine, n), row in table.items() for m in np.flatnonzero(row).tolist()}
     order = solution.order if order is None else order
     view = CoefficientsView(data={name: packed(rows, solution.order)}, name=name, label=_sign(name),
-                            scalar=scalar, texts=texts, order=order)
+                            scalar=scalar, texts=texts, order=order, alone=alone)
     controls = [
         link(ipywidgets.IntSlider(description="order", min=0, max=solution.order), view, "order"),
         link(ipywidgets.ToggleButton(description="Grow"), view, "playing"),

@@ -34,7 +34,7 @@ def site():
 def stands_alone(page, name):
     """All explorers show something, nothing came from outside, the console is clean."""
     if name == "index.html":                                # it leads to another page at once
-        page.wait_for_url("**/book/preface.html")
+        page.wait_for_url("**/book/index.html")
     page.wait_for_load_state("load")
     wanted = page.locator("script[type='application/vnd.jupyter.widget-view+json']").count()
     page.wait_for_function(
@@ -88,7 +88,7 @@ def test_every_page_names_its_icon_and_title(visit):
         assert (BUILT / name).parent.joinpath(icon).is_file(), name
         assert re.search(r"<title>[^<]+</title>", text), name
     page = visit(f"{BUILT.as_uri()}/index.html")
-    page.wait_for_url("**/book/preface.html")
+    page.wait_for_url("**/book/index.html")
     assert "og:title" in (BUILT / "index.html").read_text(encoding="utf-8")
 
 

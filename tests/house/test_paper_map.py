@@ -17,6 +17,10 @@ EQUATIONS = [
     "E0", "E_CM1", "E_CM2", "E1a", "E1b", "E2", "E3a", "E3b", "E4", "E4a", "E5a", "E5b", "E5c",
     "E5d", "E_lambda", "E_lambda_0", "E6a", "E6b", "E6c", "E6d", "E7a", "E7b", "E7",
 ]
+#: source labels that the page writes in another way
+SHOWN = {"E_CM1": "ECM1", "E_CM2": "ECM2", "E_lambda": "Eλ", "E_lambda_0": "Eλ₀"}
+INTRODUCTION = ["I1", "I2a", "I2b"]
+#: in the order of the paper, which numbers them from 1
 FIGURES = {
     "FIGPW": "fig-potential",
     "FIGA1": "fig-oscillation",
@@ -74,16 +78,37 @@ def targets():
 
 @pytest.mark.parametrize("label", EQUATIONS)
 def test_every_equation_is_on_the_page_and_shown_with_its_tag(label, targets):
-    assert f"{{ref}}`({label}) <eq-{label.lower()}>`" in PAGE
+    assert f"{{ref}}`({SHOWN.get(label, label)}) <eq-{label.lower()}>`" in PAGE
     (page,) = targets[f"eq-{label.lower()}"]
     text = dict(sources())[page]
     shown = re.search(rf"^\(eq-{label}\)=\n+((?:.+\n?)+)", text, re.MULTILINE)
     assert shown and rf"\tag{{{label}}}" in shown[1].replace(r"\_", "_")
 
 
+def test_equations_have_the_numbers_of_the_printed_paper():
+    """The paper numbers each line of its equations, from (1) to (49)."""
+    rows = re.findall(r"^\| (\([^|]+\)) \| ([^|]+) \|", PAGE, re.MULTILINE)
+    pairs = [pair for labels, numbers in rows
+             for pair in zip(labels.split(", "), numbers.split(", "), strict=True)]
+    expected = [(f"({SHOWN.get(label, label)})", f"({number})")
+                for number, label in enumerate([*INTRODUCTION, *EQUATIONS], 1)]
+    assert pairs == expected and len(expected) == 49
+
+
+def test_the_notation_names_the_printed_numbers_too():
+    page = (BOOK / "notation.md").read_text(encoding="utf-8")
+    named = re.findall(r"\{ref\}`[^`]+ <eq-(\w+)>` (\d+)", page)
+    printed = {label.lower(): number
+               for number, label in enumerate([*INTRODUCTION, *EQUATIONS], 1)}
+    assert len(named) > 20
+    assert [(label, number) for label, number in named if printed[label] != int(number)] == []
+
+
 @pytest.mark.parametrize(("label", "name"), FIGURES.items())
 def test_every_figure_is_on_the_page_and_in_one_chapter(label, name, targets):
-    assert re.search(rf"^\| {label} \|.*\{{numref\}}`{name}` \|$", PAGE, re.MULTILINE)
+    number = list(FIGURES).index(label) + 1
+    row = rf"^\| {number} \| {label} \|.*\{{numref\}}`{name}` \|$"
+    assert re.search(row, PAGE, re.MULTILINE)
     assert len(targets[name]) == 1
 
 

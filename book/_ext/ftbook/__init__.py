@@ -4,6 +4,7 @@
 ``web``    MathJax and the widget code, from npm and PyPI into the built book;
 ``cache``  executed notebooks are reused only while the package is unchanged;
 ``docstrings``  bars in the formulas of docstrings;
+``folds``  what the buttons of folded cells say;
 ``fallback``  a picture in the place of an explorer, for readers without JavaScript;
 ``latex``  the book on paper;
 ``site``  the address of the published book, and its front page;
@@ -21,6 +22,7 @@ from ftbook import (
     docstrings,
     downloads,
     fallback,
+    folds,
     latex,
     links,
     site,
@@ -39,6 +41,7 @@ def setup(app):
     app.connect("autodoc-process-docstring", docstrings.escape_bars)
     app.connect("builder-inited", latex.number_like_pages, priority=600)
     app.connect("doctree-read", latex.add_links, priority=200)
+    app.connect("doctree-read", folds.name_buttons)
     app.connect("env-check-consistency", latex.number_figures)
     app.connect("doctree-resolved", latex.prepare)
     app.connect("source-read", slides.mark_cells)

@@ -55,8 +55,8 @@ def prepare(app, document, docname):
     """Handler of ``doctree-resolved``, for the whole book as one document."""
     if app.builder.format != "latex":
         return
-    preface = document.next_node(nodes.section)
-    preface.insert(1, _raw(r"\ftpreface{Preface}"))
+    front = document.next_node(nodes.section)
+    front.insert(1, _raw(rf"\ftpreface{{{front.next_node(nodes.title).astext()}}}"))
     _place_bibliography(document)
     for proof in [box for box in document.findall(nodes.admonition) if "proof" in box["classes"]]:
         _unbox_proof(proof)

@@ -13,7 +13,7 @@ import json
 
 from docutils import nodes
 from docutils.utils import new_document
-from myst_nb.sphinx_ import NbMetadataCollector
+from myst_nb.sphinx_ import HideCodeCellNode, NbMetadataCollector
 
 SHOWN = ("slide", "subslide", "fragment", "notes", "-")
 MARK = "slide_type:"
@@ -105,6 +105,8 @@ def _for_slides(original):
     part = original.deepcopy()
     if isinstance(part, nodes.title):
         part["anchor"] = "#" + original.parent["ids"][0]
+    for fold in list(part.findall(HideCodeCellNode)):
+        fold.replace_self(fold.children)
     if "slide-code" not in part.get("cell_metadata", {}).get("tags", []):
         for code in list(part.findall(nodes.container)):
             if code.get("nb_element") == "cell_code_source":

@@ -6,6 +6,7 @@ import { element } from "./plot.js";
 import { mount } from "./view.js";
 
 const STEP = 0.6; // seconds between two orders while it grows
+const REST = 2.4; // seconds that the whole triangle stays
 
 export default { render: (context) => mount(context, build) };
 
@@ -144,19 +145,21 @@ function build(stage) {
       count += !hidden;
     }
     if (chosen.m > order) choose(cells[0]);
+    if (stage.get("playing") && chosen.m < newest) choose(cells.findLast((cell) => cell.m === newest));
     const noun = count === 1 ? "coefficient that is" : "coefficients that are";
     stage.say(`${name} to order ${order}: ${count} ${noun} not zero`);
   }
 
   let waited = 0;
   function step(seconds) {
-    waited += seconds;
-    if (waited < STEP) return;
-    waited = 0;
     const order = stage.get("order");
-    stage.set("order", order < series.order ? order + 1 : 0);
+    waited += seconds;
+    if (waited < (order < columns.at(-1) ? STEP : REST)) return;
+    waited = 0;
+    stage.set("order", columns.find((m) => m > order) ?? columns[0]);
   }
 
+  if (stage.get("alone")) stage.playUntilTouched();
   choose(chosen);
   return { draw, step };
 }

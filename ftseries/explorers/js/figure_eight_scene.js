@@ -79,7 +79,7 @@ export function drawScene(plot, scene) {
 }
 
 /** The last third of a period behind a body, thinner and fainter with age. */
-function drawTrail(plot, { orbit, time }, body, strength) {
+export function drawTrail(plot, { orbit, time }, body, strength) {
   const { context, theme } = plot;
   const count = orbit.x.length - 1; // the last point repeats the first
   const head = (time / (2 * Math.PI) + DELAY[body]) * count;
@@ -157,7 +157,7 @@ export function drawCorner(context, theme, [x, y]) {
 }
 
 /** A numbered disc: full colour for a physical motion, pale where the chain stays open. */
-function drawBody(context, theme, [x, y], body, physical) {
+export function drawBody(context, theme, [x, y], body, physical) {
   const color = theme.color(BODY_COLORS[body]);
   context.save();
   context.beginPath();

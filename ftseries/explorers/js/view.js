@@ -154,7 +154,7 @@ class Stage {
       const box = this.root.closest(".ft-explorer") ?? this.root;
       const still = (event) => {
         if (event.target.closest("button") || event.key === "Tab") return;
-        if (event.target.closest(".noUi-target, .widget-readout, canvas")) this.set("playing", false);
+        if (event.target.closest(".noUi-target, .widget-readout, .ft-cell, canvas")) this.set("playing", false);
       };
       for (const event of ["pointerdown", "keydown"]) {
         box.addEventListener(event, still, true);
