@@ -8,7 +8,7 @@ import ipywidgets
 import numpy as np
 import traitlets
 from matplotlib.axes import Axes
-from scipy.special import ellipj, ellipk
+from scipy.special import ellipj
 
 from ..figures.style import BLUE, GREY, VERMILION
 from ..problem import Field, Problem, Scalar
@@ -28,7 +28,8 @@ class HardSpring(Problem):
     seed = {"x": [{}, {1: 1}], "omega": [1]}
     frequency = "omega"
 
-    def equations(self, lam: Any, x: Any, omega: Any) -> dict[str, Any]:
+    def equations(  # type: ignore[override]     # the unknowns by name
+            self, lam: Any, x: Any, omega: Any) -> dict[str, Any]:
         """ω² x'² = (λ² - x²) (1 + (λ² + x²)/2)."""
         return {"energy": omega**2 * x.diff()**2
                 - (lam**2 - x**2) * (1 + (lam**2 + x**2) / 2)}
