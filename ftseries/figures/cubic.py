@@ -101,9 +101,9 @@ def coefficients(ax: Axes, sol: Solution) -> None:
 def frequency(ax: Axes, sol: Solution, orders: Sequence[int]) -> None:
     """ω against λ/(3a): exact by (C9b), and the series cut at each of `orders`."""
     a = _a(sol)
-    lam = 3 * a * np.linspace(0, 0.9999, 500)
-    ax.plot(lam / (3 * a), cubic.frequency(lam, a), label="exact", color=style.GREY,
-            linestyle="-", linewidth=3.5, alpha=0.6)
+    lam = 3 * a * (1 - np.geomspace(1, 1e-15, 500))     # it falls within less than a pixel
+    ax.plot(np.append(lam / (3 * a), 1), np.append(cubic.frequency(lam, a), 0), label="exact",
+            color=style.GREY, linestyle="-", linewidth=3.5, alpha=0.6)
     for order, colour, line in zip(orders, style.COLOURS, style.LINES[1:] + style.LINES[:1]):
         with warnings.catch_warnings():                         # the curves go up to the radius
             warnings.simplefilter("ignore", ConvergenceWarning)
@@ -114,10 +114,11 @@ def frequency(ax: Axes, sol: Solution, orders: Sequence[int]) -> None:
 
 
 def largest_error(ax: Axes, sol: Solution, orders: Sequence[int], ratios: ArrayLike,
-                  dps: int | None = 40, samples: int = 16) -> None:
+                  dps: int | None = 40, samples: int = 16, mark: float | None = None) -> None:
     """The largest error of x(t) over one period against λ/(3a) = `ratios`, for some orders.
 
-    It is computed with `dps` digits, from `samples` equal parts of the period.
+    It is computed with `dps` digits, from `samples` equal parts of the period.  A line stands at
+    the ratio `mark`.
     """
     a = _a(sol)
     for order, colour, line, marker in zip(orders, style.COLOURS, style.LINES, "osd^"):
@@ -131,6 +132,8 @@ def largest_error(ax: Axes, sol: Solution, orders: Sequence[int], ratios: ArrayL
             errors.append(max(abs(values - _exact(t, sol, lam, dps))))
         ax.semilogy(ratios, np.array(errors, dtype=float), label=f"order {order}", color=colour,
                     linestyle=line, marker=marker, markersize=5)
+    if mark is not None:
+        ax.axvline(mark, color=style.GREY, linewidth=1, linestyle=":")
     ax.set(xlabel=r"$\lambda / 3a$", ylabel="largest error of $x(t)$ over one period")
     ax.legend(loc="lower right")
 
