@@ -78,7 +78,8 @@ def read(path: FilePath, kind: str, what: str, way_out: str) -> dict[str, Json]:
     if len(content) > LARGEST:
         raise FileError(f"{path!r} has more than {LARGEST} bytes, so it is not {what}")
     try:
-        data = json.loads(content.decode("utf-8"), object_pairs_hook=_object)
+        data = json.loads(content.decode("utf-8"), object_pairs_hook=_object,
+                          parse_constant=_constant)
     except (ValueError, RecursionError) as error:
         reason = str(error).partition(";")[0]
         raise FileError(f"{path!r} is damaged or not JSON ({reason}); {way_out}") from None
@@ -89,7 +90,7 @@ def read(path: FilePath, kind: str, what: str, way_out: str) -> dict[str, Json]:
     stated = data.pop("sha256", None)
     try:
         checksum = digest(data)
-    except (ValueError, RecursionError) as error:                    # NaN, an infinity, too deep
+    except (ValueError, RecursionError) as error:                    # 1e999, or too deep
         raise FileError(f"{path!r} is damaged ({error}); {way_out}") from None
     if stated != checksum:
         raise FileError(f"{path!r} is damaged: its contents do not match their checksum; {way_out}")
@@ -117,5 +118,11 @@ def digest(data: Json) -> str:
 def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     data = dict(pairs)
     if len(data) < len(pairs):
-        raise ValueError("a key occurs twice")
+        keys = [key for key, _ in pairs]
+        twice = next(key for i, key in enumerate(keys) if key in keys[:i])
+        raise ValueError(f"the key {shown(twice)} stands twice")
     return data
+
+
+def _constant(name: str) -> None:
+    raise ValueError(f"{name} is no number")
