@@ -15,6 +15,7 @@ import hashlib
 import json
 import os
 import secrets
+from collections import Counter
 from typing import Any
 
 from .aliases import FilePath, Json
@@ -118,8 +119,7 @@ def digest(data: Json) -> str:
 def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     data = dict(pairs)
     if len(data) < len(pairs):
-        keys = [key for key, _ in pairs]
-        twice = next(key for i, key in enumerate(keys) if key in keys[:i])
+        twice, _ = Counter(key for key, _ in pairs).most_common(1)[0]
         raise ValueError(f"the key {shown(twice)} stands twice")
     return data
 
