@@ -15,6 +15,7 @@ import hashlib
 import json
 import os
 import secrets
+from collections import Counter
 from typing import Any
 
 from .aliases import FilePath, Json
@@ -78,7 +79,8 @@ def read(path: FilePath, kind: str, what: str, way_out: str) -> dict[str, Json]:
     if len(content) > LARGEST:
         raise FileError(f"{path!r} has more than {LARGEST} bytes, so it is not {what}")
     try:
-        data = json.loads(content.decode("utf-8"), object_pairs_hook=_object)
+        data = json.loads(content.decode("utf-8"), object_pairs_hook=_object,
+                          parse_constant=_constant)
     except (ValueError, RecursionError) as error:
         reason = str(error).partition(";")[0]
         raise FileError(f"{path!r} is damaged or not JSON ({reason}); {way_out}") from None
@@ -89,7 +91,7 @@ def read(path: FilePath, kind: str, what: str, way_out: str) -> dict[str, Json]:
     stated = data.pop("sha256", None)
     try:
         checksum = digest(data)
-    except (ValueError, RecursionError) as error:                    # NaN, an infinity, too deep
+    except (ValueError, RecursionError) as error:                    # 1e999, or too deep
         raise FileError(f"{path!r} is damaged ({error}); {way_out}") from None
     if stated != checksum:
         raise FileError(f"{path!r} is damaged: its contents do not match their checksum; {way_out}")
@@ -117,5 +119,10 @@ def digest(data: Json) -> str:
 def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     data = dict(pairs)
     if len(data) < len(pairs):
-        raise ValueError("a key occurs twice")
+        twice, _ = Counter(key for key, _ in pairs).most_common(1)[0]
+        raise ValueError(f"the key {shown(twice)} stands twice")
     return data
+
+
+def _constant(name: str) -> None:
+    raise ValueError(f"{name} is no number")

@@ -499,7 +499,7 @@ def test_types_and_ranges(tmp_path, arithmetic, change, words):
 
 
 @pytest.mark.parametrize("text, words", [
-    ('{"format": "ftseries", "format": "ftseries"}', "a key occurs twice"),
+    ('{"format": "ftseries", "format": "ftseries"}', "the key 'format' stands twice"),
     ('{"format": "ftseries", "version": 1, "x": NaN}', "damaged"),
     ('{"format": "ftseries", "version": 1, "x": 1e999}', "damaged"),
     ('{"format": "ftseries", "version": 1, "x": -Infinity}', "damaged"),
