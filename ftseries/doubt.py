@@ -52,11 +52,11 @@ class Terms:
 
     Examples
     --------
-    The margin is three times that sum, and more where there are few terms.  Σ_m λ^m at λ = 1/2:
+    The margin is twice that sum, and more where there are few terms.  Σ_m λ^m at λ = 1/2:
 
     >>> terms = Terms({(0, 0): [1.0] * 20})
     >>> round(terms.left_out(0.5) / 0.5**19, 2), terms.left_out(1.5)
-    (3.02, inf)
+    (2.02, inf)
     """
 
     def __init__(self, table: FloatTable, given: int = 1, ended: bool = False,
@@ -75,7 +75,7 @@ class Terms:
             self.step = int(np.gcd.reduce(np.diff(orders)))
             self.next = int(last[-1]) + self.step
             self.log_next = logs[j] + self.slope * (self.next - last[j])
-            self.margin = 3 + 6 / (orders.size - 1) ** 2
+            self.margin = 2 + 9 / (orders.size - 1) ** 2
 
     def left_out(self, lam: float) -> float:
         """A margin for the sum of the terms left out at λ."""
