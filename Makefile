@@ -23,7 +23,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .NOTPARALLEL:
 .PHONY: help book lab test style unit notebooks-tested strict-book browser-tested notebooks lock clean
-.PHONY: coverage fuzz mutants certificates random oldest bench bench-book calibration
+.PHONY: coverage fuzz mutants certificates random oldest bench bench-book calibration stated-errors refined
 .PHONY: slides student pdf figures site debian-latex linkcheck lint-workflows newest dist
 
 help:
@@ -48,6 +48,8 @@ help:
 	@echo "make bench      measure this package and its peers, and renew the chapter on it"
 	@echo "make bench-book measure the builds and the tests of the book"
 	@echo "make calibration  how often evaluate is wrong in silence, and warns in vain: a table"
+	@echo "make stated-errors  true errors over those that series, sums and radii state: a table"
+	@echo "make refined    random problems refined, and their families followed by other code"
 	@echo "make lock       renew requirements.lock with the newest versions that fit"
 	@echo "make newest     make test with the newest versions of everything"
 	@echo "make linkcheck  ask every link of the book whether it still leads somewhere"
@@ -208,6 +210,12 @@ bench-book: $(READY)
 
 calibration: $(READY)
 	PYTHONPATH=tests $(BIN)/python benchmarks/calibration.py
+
+stated-errors: $(READY)
+	PYTHONPATH=tests $(BIN)/python benchmarks/stated_errors.py
+
+refined: $(READY)
+	$(BIN)/python benchmarks/refined.py $(or $(TRIES),200)
 
 # --- housekeeping -----------------------------------------------------------------------------
 

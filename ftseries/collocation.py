@@ -29,6 +29,9 @@ __all__ = ["Collocation", "fixed_modes"]
 _STEP = 1e-30
 _MORE_ROWS = 5                              # more equations than modes hold the last modes down
 _MOST_STEPS = 30
+#: a step, against the largest unknown, below which it is rounding that stops Newton's method, and
+#: one that an unknown may make which is zero but for rounding
+_STALLED, _ROUNDING = 1e-8, 1e-14
 
 
 class Collocation:
@@ -87,8 +90,9 @@ class Collocation:
     def _steady(self, x: Array, delta: Array) -> bool:
         """Whether every unknown has nearly stopped to change, not only the largest one."""
         names = np.array([name for name, *_ in self.columns])
+        least = _ROUNDING * np.abs(x).max()
         return all(np.abs(delta[:len(x)][names == name]).max()
-                   <= 1e-6 * np.abs(x[names == name]).max() for name in set(names))
+                   <= 1e-6 * np.abs(x[names == name]).max() + least for name in set(names))
 
     def residuals(self, x: Array, lam: float) -> dict[str, float]:
         """The largest absolute residual of each equation on the grid."""
@@ -121,8 +125,9 @@ class Collocation:
             change = np.abs(delta).max()
             if not np.isfinite(change) or (step > 6 and change > before > 1e-6):
                 break
-            if change < 1e-15 * np.abs(x).max() or (change < 1e-10 and change > before / 4):
-                if not (change < 1e-10 or self._steady(x, delta)):
+            largest = np.abs(x).max(initial=0.0)
+            if change <= 1e-15 * largest or (change < _STALLED * largest and change > before / 4):
+                if not self._steady(x, delta):
                     break
                 rest = np.abs(self(x, np.asarray(lam), condition)).max()
                 terms = (np.abs(matrix) @ np.abs(trial)).max()

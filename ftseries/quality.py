@@ -5,14 +5,16 @@ The methods of this class belong to :class:`ftseries.Solution`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from . import evaluation
-from .aliases import Mode
 from .arguments import scalar, scalars
+from .errors import SolveError
+from .family import change, follow
 from .refine import Orbit, residuals
 from .resum import Resummed
 from .sequences import Sequences
@@ -20,10 +22,10 @@ from .tables import Point
 
 __all__ = ["Quality"]
 
-#: a relative change beyond which a refined solution may belong to another branch
-_FAR = 0.5
-#: stands for the size of a solution at rest
-_NOTHING = 1e-300
+#: relative changes: of a good series, of any by Newton's method, of one solution found twice
+_GOOD, _CLOSE, _SAME = 1e-3, 0.05, 1e-4
+#: the last orders
+_LAST = 2
 #: of a sum of floats, against its terms
 _ROUNDING = 2.0**-52
 
@@ -133,7 +135,13 @@ class Quality(Sequences):
         Warns
         -----
         ConvergenceWarning
-            Newton's method ended far from where it began.
+            Newton's method ended far from where it began, and the family of the series could not be
+            followed to λ.
+
+        Raises
+        ------
+        SolveError
+            No solution was found, neither from the series at λ nor by following the family.
 
         Examples
         --------
@@ -143,25 +151,46 @@ class Quality(Sequences):
         (2.0756839088491, True)
         """
         self._check_parameters(parameters)
-        condition = lam is None
-        if condition:
-            lam = self.problem.first_lam(self)
-        lam = scalar("lam", lam)
         values = scalars(parameters)
-        first = Orbit(self.problem, lam, {
-            name: self._amplitudes(name, np.asarray(lam), tuple(values.items()))
-            for name in self.problem.unknowns}, parameters=values)
-        orbit = first.refine(lam=None if condition else lam)
-        if max(_change(first.coefficients[name], modes)
-               for name, modes in orbit.coefficients.items()) > _FAR:
-            evaluation.warn(f"at λ = {orbit.lam:g} Newton's method ended far from the series where "
-                            "it began: this may be another of the problem's solutions; take a "
-                            "higher order or a smaller λ")
-        return orbit
+        condition = lam is None
+        lam = scalar("lam", self.problem.first_lam(self) if condition else lam)
+        series = partial(self._orbit, values)
+        direct = _tried(series(lam).refine, lam=None if condition else lam)
+        if isinstance(direct, Orbit) and self._reaches(direct):
+            return direct
+        family = _tried(follow, series, direct.lam if isinstance(direct, Orbit) else lam)
+        if isinstance(family, SolveError):
+            if isinstance(direct, SolveError):
+                raise SolveError(f"{direct}; {family}")
+            evaluation.warn(f"at λ = {direct.lam:g} Newton's method ended far from the series "
+                            "where it began: this may be another of the problem's solutions; "
+                            f"{family}")
+            return direct
+        if isinstance(direct, Orbit) and change(family.coefficients, direct.coefficients) < _SAME:
+            return direct
+        return family.refine(lam=None if condition else lam)
+
+    def _orbit(self, parameters: Mapping[str, float], lam: float, shorter: int = 0) -> Orbit:
+        """The truncated series at λ, by so many orders shorter."""
+        end = max(self.order - shorter, 0) + 1
+        return Orbit(self.problem, lam, {
+            name: {mode: self._scale(name) * a for mode, a in evaluation.amplitudes(
+                {mode: row[:end] for mode, row in
+                 self._table(name, tuple(parameters.items())).items()},
+                lam / self._lam_scale).items()}
+            for name in self.problem.unknowns}, parameters=parameters)
+
+    def _reaches(self, orbit: Orbit) -> bool:
+        """Is an orbit so close to the series as the last orders say that the series is?"""
+        series, shorter = (self._orbit(orbit.parameters, orbit.lam, cut).coefficients
+                           for cut in (0, _LAST))
+        near = change(series, orbit.coefficients)
+        return near < _GOOD or near < min(_CLOSE, change(shorter, series))
 
 
-def _change(before: Mapping[Mode, Any], after: Mapping[Mode, Any]) -> float:
-    """The largest change of a mode, relative to the largest mode."""
-    change = max((abs(after.get(m, 0.0) - before.get(m, 0.0))
-                  for m in before.keys() | after.keys()), default=0.0)
-    return float(change / max([_NOTHING, *map(abs, after.values())]))
+def _tried(function: Callable[..., Orbit], *arguments: Any, **options: Any) -> Orbit | SolveError:
+    """What the function finds, or why it finds nothing."""
+    try:
+        return function(*arguments, **options)
+    except SolveError as error:
+        return error

@@ -24,12 +24,17 @@ from .problem import Scalar
 if TYPE_CHECKING:
     from .problem import Problem
 
-__all__ = ["Orbit", "refine", "residuals"]
+__all__ = ["Orbit", "Unresolved", "refine", "residuals"]
 
-_FIRST_MODES, _MOST_MODES = 24, 1024
+_FIRST_MODES, _MOST_MODES, _MOST_ROUGH = 24, 1024, 120
 _MARGIN = 8
-_NEGLIGIBLE, _NOISE = 1e-15, 1e-17          # of a mode, against the largest one
+_NEGLIGIBLE, _ROUGH = 1e-15, 1e-7           # of the last modes, against the largest one
+_UNRESOLVED = 1e-6                          # of the last ones, where there are very many
 _REST = 1e-3                                # of F, against its terms: an orbit leaves rounding
+
+
+class Unresolved(SolveError):
+    """A solution with too many modes."""
 
 
 class Orbit:
@@ -77,8 +82,9 @@ class Orbit:
         t = real("t", times(self.problem, name, t, derivative))
         amplitude = self.coefficients[name]
         if isinstance(self.problem.unknowns[name], Scalar):
-            return float(amplitude[0, 0])
-        omega = self.coefficients[self.problem.frequency][0, 0] if self.problem.frequency else 1.0
+            return float(amplitude.get((0, 0), 0.0))
+        frequency = self.problem.frequency
+        omega = self.coefficients[frequency].get((0, 0), 0.0) if frequency else 1.0
         value = motion(amplitude, t, omega, derivative)
         return value if np.ndim(value) else float(value)
 
@@ -105,7 +111,14 @@ class Orbit:
         >>> round(orbit.refine(fts.FigureEight(exponent=0)).lam, 12)
         2.038129972545
         """
-        problem, condition = problem or self.problem, lam is None
+        return self._refined(problem or self.problem, lam, _NEGLIGIBLE)
+
+    def rough(self, lam: float) -> Orbit:
+        """The same problem's solution at λ to some digits, as a step towards another."""
+        return self._refined(self.problem, lam, _ROUGH)
+
+    def _refined(self, problem: Problem, lam: float | None, negligible: float) -> Orbit:
+        condition = lam is None
         if problem.unknowns.keys() != self.problem.unknowns.keys():
             raise InputError(f"{problem!r} has the unknowns {', '.join(problem.unknowns)}, but "
                              f"this is an orbit with {', '.join(self.problem.unknowns)}; give a "
@@ -117,14 +130,14 @@ class Orbit:
                  for name, modes in self.coefficients.items()}
         start = scalar("lam", self.lam if condition else lam)
         found, modes, residual, steps = refine(problem, guess, start / unit, condition,
-                                               self.parameters)
+                                               self.parameters, negligible)
         modes = {name: {mode: units[name] * c for mode, c in row.items()}
                  for name, row in modes.items()}
         return Orbit(problem, found * unit, modes, residual, steps, self.parameters)
 
 
 def refine(problem: Problem, first_guess: dict[str, Modes], lam: float, condition: bool = False,
-           parameters: Mapping[str, float] | None = None
+           parameters: Mapping[str, float] | None = None, negligible: float = _NEGLIGIBLE
            ) -> tuple[float, dict[str, Modes], float, int]:
     """Newton's method from a truncated series.
 
@@ -139,6 +152,8 @@ def refine(problem: Problem, first_guess: dict[str, Modes], lam: float, conditio
         Solve for λ as well, so that the problem's ``condition`` has mean zero.
     parameters : dict, optional
         Values of free parameters.
+    negligible : float
+        What the last modes may be, against the largest one.
 
     Returns
     -------
@@ -146,7 +161,8 @@ def refine(problem: Problem, first_guess: dict[str, Modes], lam: float, conditio
         (λ, coefficients, residual, steps), all in the solver's units.
     """
     total, guess, start = 0, first_guess, lam
-    top = max(_FIRST_MODES, _last(_sizes(guess), _NOISE) + 2)
+    noise, most = negligible / 100, _MOST_MODES if negligible < _ROUGH else _MOST_ROUGH
+    top = min(most, max(_FIRST_MODES, _last(_sizes(guess), noise) + 2))
     while True:
         system = Collocation(problem, top, parameters)
         x, lam, steps, rest = system.newton(system.vector(guess), lam, condition)
@@ -155,14 +171,17 @@ def refine(problem: Problem, first_guess: dict[str, Modes], lam: float, conditio
         for (name, sine, n), value in zip(system.columns, x):
             guess[name][sine, n] = float(value)
         sizes = _sizes(guess)
-        if _last(sizes, _NEGLIGIBLE) <= top - 4 or top >= _MOST_MODES:
+        if _last(sizes, negligible) <= top - 4 or top >= most:
             break
-        top = _more(sizes)
+        top = min(most, _more(sizes, negligible))
+    if _last(sizes, _UNRESOLVED) > top - 4:
+        raise Unresolved(f"at λ = {start:g} the solution has more than {top} modes: it is close to "
+                         "a collision or to the end of its family; take another λ")
     if not rest < _REST:
         raise SolveError(f"no periodic solution was found at λ = {start:g}: the series is too poor "
                          "a first guess there; take a higher order or a smaller λ")
     for modes in guess.values():                        # rounding noise is not a mode
-        for mode in [mode for mode, c in modes.items() if abs(c) < _NOISE * sizes.max()]:
+        for mode in [mode for mode, c in modes.items() if abs(c) < noise * sizes.max()]:
             del modes[mode]
     for name in guess:
         guess[name] |= {mode: c * lam**m for m, mode, c in fixed_modes(problem, name)}
@@ -183,12 +202,12 @@ def _last(sizes: Array, small: float) -> int:
     return int(max(np.flatnonzero(sizes > small * sizes.max()), default=0))
 
 
-def _more(sizes: Array) -> int:
+def _more(sizes: Array, negligible: float) -> int:
     """How many modes are needed, if they go on to decay as in the upper half of those known."""
     top = len(sizes) - 1
     middle, tail = (sizes[end - 5:end + 1].max() for end in (top // 2, top))
     decay = 2 * math.log(max(middle / tail, 1 + 1e-9)) / top
-    more = math.log(tail / (_NEGLIGIBLE * sizes.max())) / decay
+    more = math.log(tail / (negligible * sizes.max())) / decay
     return min(_MOST_MODES, top + math.ceil(min(more, 2 * top)) + _MARGIN)
 
 

@@ -8,10 +8,11 @@ sequence is regularly zero.
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from flint import fmpq
 
 from . import analysis
 from .aliases import Function, Modes, Number
@@ -37,6 +38,10 @@ __all__ = ["Sequences"]
 
 #: Fourier orders from which the radius of a whole unknown is taken
 _LOW_MODES = 6
+#: the uncertainty of a field's radius that one sequence alone shows, and up to which one counts
+_ALONE, _SHARP = 0.1, 0.02
+#: cos(kπ/2)
+_WAVE = (1, 0, -1, 0)
 #: so many coefficients of a sequence usually show its singularity
 _COEFFICIENTS = 20
 
@@ -48,7 +53,8 @@ class Sequences(Values):
                  **parameters: Any) -> tuple[int, int, list[Number]]:
         """(step, first, c): mode n of an unknown is Λ^first Σ_k c_k Λ^{step k}.
 
-        The c_k are the solver's numbers: exact, float or ball.
+        The c_k are the solver's numbers: exact, float, or balls as they are, also where a ball has
+        no digits.
         """
         kind = unknown(self.problem, name)
         self._check_parameters(parameters)
@@ -109,12 +115,7 @@ class Sequences(Values):
         See :func:`ftseries.analysis.nearest_singularities`.
         """
         step, _, c = self.sequence(name, n, sine, **parameters)
-        try:
-            return analysis.nearest_singularities(c)
-        except FewError:
-            raise InputError(f"{name!r} shows no singularity at order {self.order}: it has too few "
-                             "coefficients, or its function has none; try order="
-                             f"{max(2 * self.order, _COEFFICIENTS * step)}") from None
+        return self._nearest(step, c, name)
 
     def branch_point(self, name: str, n: int = 0, sine: bool | None = None,
                      **parameters: Any) -> Singularity:
@@ -158,8 +159,10 @@ class Sequences(Values):
         ----------
         name : str
         n : int, optional
-            One Fourier mode; left out, that of the lowest modes whose radius is best determined;
-            its distance from the second best is in the uncertainty.
+            One Fourier mode; left out, of a field as a whole: from its lowest modes, its values at
+            the phases 0 and π/2, and the frequency, the radius that is best determined.  Its
+            distance from the next, and from lower ones, is in the uncertainty, which is a fifth
+            where there is one alone: single modes may converge farther than the field.
         **parameters
             Values of the problem's free parameters.
 
@@ -180,30 +183,57 @@ class Sequences(Values):
         3.76995749
         """
         kind = unknown(self.problem, name)
-        if isinstance(kind, Scalar):
-            modes: list[tuple[bool | None, int]] = [(False, 0)]
-        elif n is not None:
-            modes = [(sine, n)]
-        else:
-            modes = [(bool(mode[0]), mode[1]) for mode in reversed(kind.columns(_LOW_MODES))
-                     if any(mode in row for row in self.coefficients[name])]
-        scale, step, found = self._lam_scale, 1, []
-        for sine, n in modes:
-            step = self.sequence(name, n, sine, **parameters)[0]
+        if isinstance(kind, Scalar) or n is not None:
+            return self._radius(*self.sequence(name, n or 0, sine, **parameters)[::2], name)
+        found = []
+        for row in self._rows(name, parameters):
             try:
-                radius = self.singularities(name, n, sine, **parameters)[0].radius
+                found.append(self._radius(*analysis.thin(row)[::2], name))
             except InputError:
-                if len(modes) == 1:
-                    raise
                 continue
-            value = scale * radius.value ** (1 / step)
-            found.append((value * radius.error / (radius.value * step), value))
         if not found:
-            raise InputError(f"{name!r} has too few coefficients at order {self.order} to estimate "
-                             "its radius of convergence; try order="
-                             f"{max(2 * self.order, _COEFFICIENTS * step)}")
-        (error, value), *others = sorted(found)
-        return Estimate(value, max([error] + [abs(value - other) for _, other in others[:1]]))
+            raise self._few(name, 2)
+        best, *others = sorted(found, key=lambda radius: (radius.error, radius.value))
+        nearest = min((abs(best.value - other.value) for other in others),
+                      default=_ALONE * best.value)
+        lowest = min(radius.value for radius in found
+                     if radius is best or radius.error < _SHARP * radius.value)
+        return Estimate(best.value, max(best.error, 2 * nearest, best.value - lowest))
+
+    def _rows(self, name: str, parameters: Mapping[str, Any]) -> Iterator[list[Number]]:
+        """Taylor coefficients of low modes, of the field at the phases 0 and π/2, and of ω."""
+        point = self._point(parameters)
+        rows = [{mode: at(c, point) for mode, c in row.items()} for row in self.coefficients[name]]
+        for mode in reversed(self.problem.unknowns[name].columns(_LOW_MODES)):
+            yield [row.get(mode, 0) for row in rows]
+        for quarter in (0, 1):
+            yield [sum((c * _WAVE[(n * quarter - sine) % 4] for (sine, n), c in row.items()), 0)
+                   for row in rows]
+        if self.problem.frequency:
+            yield [at(row.get((0, 0), fmpq(0)), point)
+                   for row in self.coefficients[self.problem.frequency]]
+
+    def _radius(self, step: int, c: Sequence[Number], name: str) -> Estimate:
+        """The radius in λ from a series in Λ^step."""
+        radius = self._nearest(step, c, name)[0].radius
+        value = self._lam_scale * radius.value ** (1 / step)
+        return Estimate(value, value * radius.error / (radius.value * step))
+
+    def _nearest(self, step: int, c: Sequence[Number], name: str) -> list[Singularity]:
+        try:
+            return analysis.nearest_singularities(c)
+        except FewError:
+            good = analysis.certain(c)
+            if len(good) < len(c):
+                raise InputError(f"{name!r} shows no singularity: its coefficients are balls, of "
+                                 f"which only the first {len(good)} have digits; solve with a "
+                                 "larger precision") from None
+            raise self._few(name, step) from None
+
+    def _few(self, name: str, step: int) -> InputError:
+        return InputError(f"{name!r} shows no singularity at order {self.order}: it has too few "
+                          "coefficients, or its function has none; try order="
+                          f"{max(2 * self.order, _COEFFICIENTS * step)}")
 
     def _complex_amplitudes(self, lam: complex,
                             parameters: Mapping[str, float]) -> dict[str, Modes]:

@@ -73,20 +73,44 @@ def test_other_branches_against_scipy(branch):
     assert abs(orbit.evaluate("a") - truth) < 1e-12 * max(1, abs(truth))
 
 
-def test_another_branch_is_announced():
-    """λ = 4 lies beyond the radius 2.746: Newton's method ends on another eigenvalue."""
+OSCILLATOR = {"unknowns": {"x": fts.Field("cos", fixed=(1,)), "omega": fts.Scalar()},
+              "frequency": "omega"}
+
+
+def test_beyond_the_radius_the_family_is_followed():
+    """λ = 4 lies beyond the radius 2.746: straight from there, Newton's method finds another."""
     sol = fts.solve(fts.GeneralizedMathieu(mu=0), order=12)
-    with pytest.warns(fts.ConvergenceWarning, match="another"):
-        orbit = sol.refine(4)
-    spectrum = [mathieu.eigenvalue(4, 0, index) for index in range(4)]
-    assert min(abs(orbit.evaluate("a") - a) for a in spectrum) < 1e-11    # yet a solution
+    assert abs(sol._orbit({}, 4.0).refine(lam=4).evaluate("a") - mathieu.eigenvalue(4)) > 1
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        sol.refine(2)                                                      # no warning here
+        assert abs(sol.refine(4).evaluate("a") - mathieu.eigenvalue(4)) < 1e-11
+        assert abs(sol.refine(2).evaluate("a") - mathieu.eigenvalue(2)) < 1e-12
+
+
+@pytest.mark.parametrize("equation, order, lam, omega", [
+    ("x'' + x + x**3", 4, 3.6464, 3.3785177535),            # Jacobi's cn; it was -3.3785
+    ("x'' + (2/3)*x - (2/5)*x**5 - x**4 + lam*x", 8, 0.8162, 1.0673914),     # in steps of 0.02
+])
+def test_no_other_branch_is_reached_in_silence(equation, order, lam, omega):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        orbit = fts.solve(fts.Equations(equation, **OSCILLATOR), order).refine(lam)
+    assert orbit.evaluate("omega") == pytest.approx(omega, abs=1e-7)
+
+
+def test_an_unknown_that_is_zero():
+    problem = fts.Equations(
+        ["x'' + x + x**3/4 + x*y**2", "y'' + 5*y + y**3"], frequency="omega",
+        unknowns={"x": fts.Field("cos", fixed=(1,)), "y": fts.Field("cos"), "omega": fts.Scalar()})
+    orbit = fts.solve(problem, 6).refine(0.1)
+    alone = fts.solve(fts.Equations("x'' + x + x**3/4", **OSCILLATOR), 6).refine(0.1)
+    assert np.abs(orbit.evaluate("y", T)).max() < 1e-15
+    assert orbit.evaluate("omega") == pytest.approx(alone.evaluate("omega"), abs=1e-15)
+    assert orbit.refine(lam=0.2).evaluate("y", 0.3, derivative=1) == 0
 
 
 @pytest.mark.parametrize("call, error, word", [
-    (lambda e: e.refine(3.5), fts.SolveError, "does not converge"),
+    (lambda e: e.refine(3.5), fts.SolveError, "followed to λ = "),
     (lambda e: e.refine(math.nan), fts.InputError, "lam"),
     (lambda e: e.refine("two"), fts.InputError, "lam"),
     (lambda e: e.refine(1, mu=0), fts.InputError, "no parameters"),
@@ -106,7 +130,7 @@ def test_what_is_no_orbit_is_refused_and_rest_is_one():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         for order in (4, 10, 20):
-            with pytest.raises(fts.SolveError, match=r"does not converge at λ = 1e\+06"):
+            with pytest.raises(fts.SolveError, match=r"at λ = 1e\+06"):
                 sol.truncate(order).refine(1e6)
         rest = sol.refine(0)
     assert rest.evaluate("omega") == 1 and rest.evaluate("x", 0.3) == 0

@@ -11,11 +11,12 @@ from .singularities import (
     Estimate,
     FewError,
     Singularity,
+    certain,
     domb_sykes,
     nearest_singularities,
     root_test,
     thin,
 )
 
-__all__ = ["Estimate", "FewError", "Pade", "Singularity", "compose", "domb_sykes", "euler_map",
-           "nearest_singularities", "pade", "revert", "root_test", "thin"]
+__all__ = ["Estimate", "FewError", "Pade", "Singularity", "certain", "compose", "domb_sykes",
+           "euler_map", "nearest_singularities", "pade", "revert", "root_test", "thin"]

@@ -76,6 +76,16 @@ class Pade:
             return (np.polynomial.polynomial.polyval(z, self.numerator)
                     / np.polynomial.polynomial.polyval(z, self.denominator))
 
+    def rounding(self, z: ArrayLike) -> Any:
+        """About the relative error that rounding leaves in the value: more in arrays."""
+        z = np.asarray(z)
+        if z.ndim == 0:
+            return 2.0**-53
+        sums = [np.polynomial.polynomial.polyval(abs(z), np.abs(part))
+                / np.abs(np.polynomial.polynomial.polyval(z, part))
+                for part in (self.numerator, self.denominator)]
+        return 2.0**-53 * (1 + sum(self.degrees)) * sum(sums)
+
     def _value(self, z: Any) -> Any:
         real = not np.iscomplexobj(z)
         with working(bits=_BITS):

@@ -17,7 +17,7 @@ they disagree by.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -27,18 +27,28 @@ from ..aliases import Number
 from ..errors import InputError
 from ..precision import working
 
-__all__ = ["Estimate", "FewError", "Singularity", "thin", "root_test", "domb_sykes",
+__all__ = ["Estimate", "FewError", "Singularity", "certain", "thin", "root_test", "domb_sykes",
            "nearest_singularities"]
 
 #: degrees of Q; beyond the second list the zeros follow the rounding of floats
 _DEGREES, _FLOAT_DEGREES = (1, 2, 3, 4, 6, 8, 10, 12, 14, 16, 18, 20), (1, 2, 3, 4, 5, 6, 8)
+#: coefficients that are needed, and the error, as a part of the distance, where there are no more
+_FEWEST, _UNKNOWN = 10, 0.1
+#: an exponent is clear with this error; if it is not, the fits may agree on a place that is not one
+_CLEAR = 0.01
+#: what one move of a place counts, where none before is known
+_SINGLE = 3
 #: each degree is fitted to the last coefficients, and with this many of them left out
 _LEFT_OUT = (0, 1, 2)
 _BITS = 700
+#: bits that a ball must have to count
+_DIGITS = 10
 #: fits agree when their zeros are this close, relative to the distance from 0; if none do, this
 _CLOSE, _CLOSE_ENOUGH = 0.02, 0.06
 #: zeros are looked for between these multiples of the radius that the root test suggests
 _NEAREST, _FARTHEST = 0.1, 1.6
+#: a zero farther than this, as a part of the place, is another one
+_DISTANT = 0.35
 #: the error given, in units of the distance within which half of the fits lie
 _SAFETY = 5
 
@@ -65,7 +75,10 @@ class Estimate:
 class Singularity:
     """A singularity (1 - z/location)^exponent; exponent 0 is a logarithm.
 
-    The errors say how far half of the fits differ, with a factor of safety; they are estimates.  At
+    The errors say how far half of the fits differ, with a factor of safety; where these do not
+    agree on the exponent, how far three quarters of those with a
+    zero nearby differ, and how far the place may still move, from
+    where two thirds of the coefficients put it.  They are estimates.  At
     a singularity of another form, such as 1/log, the exponent is an effective one.
     """
 
@@ -90,6 +103,18 @@ def thin(c: Sequence[Number]) -> tuple[int, int, list[Number]]:
         raise InputError("all coefficients are zero; there is nothing to analyse")
     step = int(np.gcd.reduce([k - support[0] for k in support])) or 1
     return step, support[0], list(c[support[0]::step])
+
+
+def certain(c: Sequence[Number]) -> list[Number]:
+    """The coefficients before the first ball that has no digits.
+
+    >>> from flint import arb
+    >>> certain([1, arb(2, 1e-9), arb(3, 1), arb(4)])
+    [1, [2.00000000 +/- 1.01e-9]]
+    """
+    poor = (k for k, x in enumerate(c)
+            if isinstance(x, arb) and x.rel_accuracy_bits() < _DIGITS)
+    return list(c[:next(poor, len(c))])
 
 
 def root_test(c: Sequence[Number]) -> list[tuple[int, float]]:
@@ -124,7 +149,7 @@ def nearest_singularities(c: Sequence[Number]) -> list[Singularity]:
     ----------
     c : sequence
         Taylor coefficients from order 0 on: floats, fmpq or balls, not regularly zero (see
-        :func:`thin`).
+        :func:`thin`).  Of balls those count that come before the first one without digits.
 
     Returns
     -------
@@ -148,9 +173,22 @@ def nearest_singularities(c: Sequence[Number]) -> list[Singularity]:
     >>> round(s.location.real, 12), round(s.exponent, 12)
     (2.0, 0.5)
     """
-    if len(c) < 10:
+    c = certain(c)
+    if len(c) < _FEWEST:
         raise FewError(f"{len(c)} coefficients are too few to locate a singularity; give 10 of "
                        "them, not regularly zero")
+    found = _located(c)
+    if not found:
+        raise FewError("no singularity fits these coefficients: give more of them, or their "
+                       "function has none")
+    shorter = [_located(c[:length]) if length >= _FEWEST else []
+               for length in (2 * len(c) // 3, 4 * len(c) // 9)]
+    return [s if s.exponent_error < _CLEAR else replace(s, error=max(s.error, _drift(s, *shorter)))
+            for s in found]
+
+
+def _located(c: Sequence[Number]) -> list[Singularity]:
+    """The places on which the fits agree."""
     exact = not any(isinstance(x, float) or (isinstance(x, arb) and x.rel_accuracy_bits() < 150)
                     for x in c)
     degrees = _DEGREES if exact else _FLOAT_DEGREES
@@ -162,11 +200,28 @@ def nearest_singularities(c: Sequence[Number]) -> list[Singularity]:
                 if len(c) - 2 - 2 * degree - left_out >= degree
                 and (zeros := _fit(c[:len(c) - left_out], degree)) is not None]
     found = _agreed(fits, _CLOSE) or _agreed(fits, _CLOSE_ENOUGH)
-    if not found:
-        raise FewError("no singularity fits these coefficients: give more of them, or their "
-                       "function has none")
     return [Singularity(s.location * scale, s.exponent, s.error * scale, s.exponent_error)
             for s in found]
+
+
+def _drift(s: Singularity, shorter: Sequence[Singularity],
+           shortest: Sequence[Singularity]) -> float:
+    """How far a place may still move, from where fewer coefficients put it.
+
+    If its moves d', d fall geometrically, d r/(1 - r) with r = d/d' is left.
+    """
+    if not shorter:
+        return _UNKNOWN * abs(s.location)
+    places = [s.location]
+    for found in (shorter, shortest):
+        if found:
+            places.append(min((each.location for each in found),
+                              key=lambda z: abs(z - places[-1])))
+    moves = np.abs(np.diff(places))
+    if len(moves) < 2:
+        return _SINGLE * float(moves[0])
+    ratio = min(moves[0] / moves[1], 0.9) if moves[1] else 0.0
+    return float(moves[0] * ratio / (1 - ratio))
 
 
 def _numbers(c: Sequence[Number]) -> list[arb]:
@@ -235,17 +290,22 @@ def _agreed(fits: Any, close: float) -> list[Singularity]:
             if len(fit):
                 i = np.abs(fit[:, 0] - z).argmin()
                 near.append((abs(fit[i, 0] - z), abs(fit[i, 1] - s)))
-        near = sorted(near)[:half]
+        near.sort()
+        close_by = [distance for distance, _ in near if distance < _DISTANT * abs(z)]
+        near = near[:half]
         if len(near) == half and near[-1][0] < close * abs(z):
-            candidates.append((near[-1][0], max(change for _, change in near), complex(z), s))
-    chosen: list[tuple[float, float, complex, complex]] = []
-    for error, exponent_error, z, s in sorted(candidates, key=lambda c: c[:2]):
-        if all(abs(z - other[2]) > 5 * close * abs(z) for other in chosen):
-            chosen.append((error, exponent_error, z, s))
+            candidates.append((near[-1][0], max(change for _, change in near), complex(z), s,
+                               close_by[3 * len(close_by) // 4]))
+    chosen: list[tuple[float, float, complex, complex, float]] = []
+    for candidate in sorted(candidates, key=lambda c: c[:2]):
+        if all(abs(candidate[2] - z) > 5 * close * abs(candidate[2]) for _, _, z, _, _ in chosen):
+            chosen.append(candidate)
     result = []
-    for error, exponent_error, z, s in sorted(chosen, key=lambda c: abs(c[2])):
+    for error, exponent_error, z, s, most_differ in sorted(chosen, key=lambda c: abs(c[2])):
         error = float(_SAFETY * error + 1e-15 * abs(z))
         exponent_error = float(_SAFETY * exponent_error + abs(s.imag) + 1e-15)
+        if exponent_error >= _CLEAR:
+            error = max(error, most_differ)
         places = [complex(z.real)] if abs(z.imag) <= error else [z, z.conjugate()]
         result += [Singularity(place, float(s.real), error, exponent_error) for place in places]
     return result
