@@ -107,6 +107,11 @@ def check_convergence(data: Json) -> str:
     limits = 2 * top, orders
     low, high, largest = (number(data[key]) for key in ("radius", "uniqueness", "largest"))
     require(low >= 0 and low < high and high <= largest, "0 ≤ r < R ≤ r*")
+    index = [n for n in range(top + 1) if n == 0 or n % 3]
+    size = (len(index),) * 2
+    a = [[arb_poly(integers(c, orders, _LARGE)) * arb(2) ** -30 for c in entries(row, *size)]
+         for row in entries(data["inverse"], *size)]
+    norms = {name: number(value) for name, value in record(data["norms"], "r phi").items()}
     center, root = ({n: integers(row, orders, _LARGE) for n, row in
                      modes(data[key], 2 * top).items()} for key in ("center", "root"))
     require(all(n == 0 or n % 3 for n in center) and {0, 1} <= center.keys(),
@@ -128,10 +133,6 @@ def check_convergence(data: Json) -> str:
     m = [[g + (h * u * u).times(-3), (h * u * y).times(-3).times_mu()],
          [(h * u * y).times(-3), g + (h * y * y).times(-3).times_mu()]]
     angle = [(y * inverse).times(-1), u * inverse]
-    index = [n for n in range(top + 1) if n == 0 or n % 3]
-    size = (len(index),) * 2
-    a = [[arb_poly(integers(c, orders, _LARGE)) * arb(2) ** -30 for c in entries(row, *size)]
-         for row in entries(data["inverse"], *size)]
     columns = [sum((_length(row[j]) for row in a), arb(0)) for j in range(len(index))]
     norm_a = upper_bound([*columns, 1 / arb(top + 1) ** 2])
     rate = (u * y.slope() + (y * u.slope()).times(-1)) * inverse
@@ -145,13 +146,12 @@ def check_convergence(data: Json) -> str:
     sums = {"r": arb(3).root(3) * (rho.norm() + drho * low),
             "phi": (sum((2 * x / n for n, x in rate.lengths().items()), arb(0))
                     + rate.error + dchi * low)}
-    record(data["norms"], "r phi")
     for name, bound in sums.items():
-        require(bound <= number(data["norms"][name]), f"the bound of the series of {name}")
+        require(bound <= norms[name], f"the bound of the series of {name}")
     return ("Checked. The Fourier-Taylor series of the figure eight converge absolutely for all "
-            f"|λ| ≤ {data['lam']}, with sums of at most {at_most(number(data['norms']['r']))} and "
-            f"{at_most(number(data['norms']['phi']))}; as functions they lie within "
-            f"{at_most(low)} of the sums in the file, alone within {at_least(high)}.")
+            f"|λ| ≤ {data['lam']}, with sums of at most {at_most(norms['r'])} and "
+            f"{at_most(norms['phi'])}; as functions they lie within {at_most(low)} of the sums in "
+            f"the file, alone within {at_least(high)}.")
 
 
 def _powers(u: _Waves, y: _Waves, roots: list[_Waves]) -> Callable[[int], _Waves]:

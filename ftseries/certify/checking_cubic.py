@@ -58,8 +58,7 @@ def _distance(lam: arb, square: fmpq, modes: list[fmpq]) -> arb:
 
 
 def _require_truncated(order: int, lam: fmpq, square: fmpq, modes: list[fmpq]) -> None:
-    """Ω̄ and the Ā_n have to be the Taylor polynomials of that order, at λ; the first is looked at
-    first, so that a wrong file costs little."""
+    """Ω̄ and the Ā_n have to be the Taylor polynomials of that order, at λ; one after the other."""
     terms = order + 2                                   # one is lost to the division by m
     with working(terms=terms):
         k = fmpq_series([fmpq(comb(2 * j, j) ** 2, 16**j) for j in range(terms)])

@@ -120,6 +120,10 @@ def prove(data: dict[str, Json]) -> Proved:
     low, high, largest = (number(data[key]) for key in ("radius", "uniqueness", "largest"))
     require(nu > 1 and low >= 0 and low < high and high <= largest, "0 ≤ r < R ≤ r*, ν > 1")
     require(all(0 < n <= top and n % 3 for n in u), "ū has the modes 1, 2, 4, …, N")
+    index = [n for n in range(1, top + 1) if n % 3]
+    shape = (len(index),) * 2
+    a = arb_mat([[number(c) for c in entries(row, *shape)]
+                 for row in entries(data["inverse"], *shape)])
     v = Laurent.cosines(root_modes(data, top), nu)
     part = [Laurent.cosines({n: c for n, c in u.items() if n % 2 == i}, nu) for i in (0, 1)]
     one = Laurent.cosines({0: arb(1)}, nu)
@@ -139,10 +143,6 @@ def prove(data: dict[str, Json]) -> Proved:
     h = power(5, square * square * v)
     m = [[(h * part[i] * part[j]).times(-3).cut(2 * top) for j in (0, 1)] for i in (0, 1)]
     m = [[m[i][j] + g if i == j else m[i][j] for j in (0, 1)] for i in (0, 1)]
-    index = [n for n in range(1, top + 1) if n % 3]
-    size_a = (len(index),) * 2
-    a = arb_mat([[number(c) for c in entries(row, *size_a)]
-                 for row in entries(data["inverse"], *size_a)])
     norm_a = upper_bound([*_column_norms(a, index, index, nu), 1 / arb(top + 1) ** 2])
     y = residual(u, [part[i] * g for i in (0, 1)], a, index, top, norm_a, nu)
     z1 = _first(a, m, index, top, norm_a, nu)
