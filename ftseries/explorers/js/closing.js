@@ -6,7 +6,7 @@ import { Eight, verdict } from "./eight.js";
 
 const RANGE = [0, 2.2];
 const REACH = [2.4, 2.05]; // half the width and height shown
-const NEAR = 0.02; // the zero of S_x catches a dragged end
+const NEAR = 0.04; // the zero of S_x catches a dragged end
 
 function build(stage) {
   const eight = new Eight(stage.series("r"), stage.series("phi"));
