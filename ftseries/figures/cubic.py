@@ -101,7 +101,8 @@ def coefficients(ax: Axes, sol: Solution) -> None:
 def frequency(ax: Axes, sol: Solution, orders: Sequence[int]) -> None:
     """ω against λ/(3a): exact by (C9b), and the series cut at each of `orders`."""
     a = _a(sol)
-    lam = 3 * a * (1 - np.geomspace(1, 1e-15, 500))     # it falls within less than a pixel
+    end = 1 - np.geomspace(1e-3, 1e-15, 60)             # it falls within less than a pixel
+    lam = 3 * a * np.append(np.linspace(0, 0.998, 499), end)
     ax.plot(np.append(lam / (3 * a), 1), np.append(cubic.frequency(lam, a), 0), label="exact",
             color=style.GREY, linestyle="-", linewidth=3.5, alpha=0.6)
     for order, colour, line in zip(orders, style.COLOURS, style.LINES[1:] + style.LINES[:1]):
