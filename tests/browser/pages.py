@@ -17,7 +17,8 @@ ROOT = Path(__file__).parents[2]
 KNOWN = ("strict mode: use allowUnionTypes",)
 # The explorers of minibook/book/explorers.md, in the order of the page.
 NAMES = ("cubic", "mathieu", "figure_eight", "coefficients", "convergence", "stability",
-         "van_der_pol", "force_exponent", "bands", "closing", "wheels")
+         "van_der_pol", "force_exponent", "bands", "closing", "wheels",
+         "alive", "secular", "rolling", "growing")
 
 
 def missing(what):

@@ -36,6 +36,8 @@ def test_every_explorer_renders(visit, address):
     ("figure_eight", "λ", "Home", "λ = 0.000"), ("figure_eight", "order", "ArrowRight", "order 13"),
     ("coefficients", "order", "ArrowLeft", "order 23"),
     ("bands", "λ", "End", "λ = 2.40"), ("bands", "order", "ArrowLeft", "order 98"),
+    ("secular", "λ", "ArrowRight", "λ = 0.51"), ("rolling", "λ", "End", "stays on the top"),
+    ("rolling", "order", "ArrowRight", "order 8"),
     ("closing", "λ", "Home", "λ = 0.000"), ("wheels", "λ", "Home", "λ = 0.000"),
     ("van_der_pol", "ε", "ArrowRight", "ε = 2.05"),
     ("van_der_pol", "order", "ArrowRight", "order 32"),
@@ -146,6 +148,72 @@ def test_a_small_explorer_rests_for_those_who_ask_for_it(explorer, name):
     assert shown.pictures() == pixels and shown.button("Play").count() == 1
     shown.button("Play").click()
     shown.until(lambda: shown.pictures() != pixels)
+
+
+@pytest.mark.parametrize("name", ["secular", "rolling"])
+def test_the_first_explorers_play_until_they_are_touched(explorer, name):
+    shown = explorer(name)
+    pixels = shown.pictures()
+    shown.until(lambda: shown.pictures() != pixels)
+    assert shown.button("Pause").count() == 1
+    shown.handle("λ").press("ArrowRight")
+    shown.settle()
+    still = shown.pictures()
+    shown.page.wait_for_timeout(500)
+    assert shown.pictures() == still and shown.button("Play").count() == 1
+
+
+@pytest.mark.parametrize("name", ["alive", "secular", "rolling"])
+def test_the_first_explorers_rest_for_those_who_ask_for_it(explorer, name):
+    shown = explorer(name, reduced_motion="reduce")
+    pixels = shown.pictures()
+    shown.page.wait_for_timeout(800)
+    assert shown.pictures() == pixels
+    shown.button("Play").click()
+    shown.until(lambda: shown.pictures() != pixels)
+    shown.button("Pause").click()
+    shown.settle()
+    still = shown.pictures()
+    shown.page.wait_for_timeout(500)
+    assert name == "secular" or shown.pictures() == still       # the pen shows the whole at once
+
+
+def test_the_triangle_grows_alone_until_a_place_is_touched(explorer):
+    shown = explorer("growing")
+    shown.until(lambda: "to order 5" in shown.status)
+    shown.box.get_by_role("gridcell").first.click()
+    stopped = shown.value("order")
+    shown.page.wait_for_timeout(1500)
+    assert shown.value("order") == stopped
+    resting = explorer("growing", reduced_motion="reduce")
+    assert "to order 11" in resting.status
+
+
+def test_the_secular_term_leaves_and_the_other_series_stays(explorer):
+    """Against SciPy's integrator and SymPy's coefficients, by way of ftseries.explorers.secular."""
+    module = importlib.import_module("ftseries.explorers.secular")
+    sol = fts.solve(module.HardSpring(), order=3)
+    shown = explorer("secular", reduced_motion="reduce")
+    for lam in (0.2, 0.5, 0.83):
+        shown.type("λ", lam)
+        assert abs(shown.number("x(60), exact") - module.exact(60, lam)) < TOLERANCE
+        assert abs(shown.number("x(60), Taylor") - module.taylor(60, lam)) < TOLERANCE
+        series = sol.evaluate("x", 60, lam=lam)
+        assert abs(shown.number("x(60), Fourier-Taylor") - series) < TOLERANCE
+
+
+def test_the_series_loses_the_particle_near_the_top(explorer):
+    shown = explorer("rolling", reduced_motion="reduce")
+    sol = fts.solve(fts.CubicOscillator(), order=24)
+    assert "the series holds" in shown.status
+    shown.type("λ", 2.8)
+    assert "runs ahead" in shown.status
+    assert abs(shown.number("ω, exact") - cubic.frequency(2.8)) < TOLERANCE
+    series = sol.truncate(6).evaluate("omega", lam=2.8)
+    assert abs(shown.number("ω, series") - series) < TOLERANCE
+    shown.type("λ", 2)
+    shown.type("order", 24)
+    assert "the series holds" in shown.status
 
 
 def test_the_open_end_is_dragged_until_the_chain_closes(explorer):

@@ -20,6 +20,9 @@ def eight(order=12):
 
 
 MAKE = {
+    "alive": lambda: explorers.alive(order=20),
+    "secular": explorers.secular,
+    "rolling": explorers.rolling,
     "cubic": lambda: explorers.cubic(stored=24),
     "mathieu": lambda: explorers.mathieu(stored=16),
     "figure_eight": lambda: explorers.figure_eight(stored=20),
