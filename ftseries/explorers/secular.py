@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import ipywidgets
@@ -10,6 +11,7 @@ import traitlets
 from matplotlib.axes import Axes
 from scipy.special import ellipj
 
+from ..errors import ConvergenceWarning
 from ..figures.style import BLUE, GREY, VERMILION
 from ..problem import Field, Problem, Scalar
 from ..solver import solve
@@ -101,8 +103,10 @@ def secular(lam: float = 0.5, order: int = 3) -> Explorer:
         t = np.linspace(0, END, 1201)
         ax.plot(t, exact(t, lam), color=GREY, ls="-", lw=4, alpha=0.5, label="exact")
         ax.plot(t, taylor(t, lam), color=VERMILION, ls="-", lw=1.4, label="Taylor")
-        ax.plot(t, solution.evaluate("x", t, lam=lam), color=BLUE, ls="--", lw=1.6,
-                label="Fourier-Taylor")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ConvergenceWarning)      # both series are cut
+            values = solution.evaluate("x", t, lam=lam)
+        ax.plot(t, values, color=BLUE, ls="--", lw=1.6, label="Fourier-Taylor")
         ax.set(xlabel="$t$", ylabel="$x(t)$", ylim=(-2.2 * lam, 2.2 * lam))
         ax.legend(ncols=3, loc="upper left", fontsize=8)
 
