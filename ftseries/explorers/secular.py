@@ -11,6 +11,7 @@ import traitlets
 from matplotlib.axes import Axes
 from scipy.special import ellipj
 
+from ..aliases import Function
 from ..errors import ConvergenceWarning
 from ..figures.style import BLUE, GREY, VERMILION
 from ..problem import Field, Problem, Scalar
@@ -31,7 +32,7 @@ class HardSpring(Problem):
     frequency = "omega"
 
     def equations(  # type: ignore[override]     # the unknowns by name
-            self, lam: Any, x: Any, omega: Any) -> dict[str, Any]:
+            self, lam: Function, x: Function, omega: Function) -> dict[str, Function]:
         """ω² x'² = (λ² - x²) (1 + (λ² + x²)/2)."""
         return {"energy": omega**2 * x.diff()**2
                 - (lam**2 - x**2) * (1 + (lam**2 + x**2) / 2)}
@@ -40,7 +41,7 @@ class HardSpring(Problem):
 def taylor(t: Any, lam: float) -> Any:
     """The plain Taylor series in λ to the order 3, with its secular term -3/8 λ³ t sin t.
 
-    >>> taylor(0.0, 0.5)
+    >>> float(taylor(0.0, 0.5))
     0.5
     """
     return (lam * np.cos(t) - 3 / 8 * lam**3 * t * np.sin(t)
@@ -50,7 +51,7 @@ def taylor(t: Any, lam: float) -> Any:
 def exact(t: Any, lam: float) -> Any:
     """λ cn(√(1 + λ²) t | m) with m = λ²/(2 + 2λ²).
 
-    >>> exact(0.0, 0.5)
+    >>> float(exact(0.0, 0.5))
     0.5
     """
     return lam * ellipj(np.sqrt(1 + lam**2) * t, lam**2 / (2 + 2 * lam**2))[1]
