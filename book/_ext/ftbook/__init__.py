@@ -8,6 +8,7 @@
 ``fallback``  a picture in the place of an explorer, for readers without JavaScript;
 ``latex``  the book on paper;
 ``site``  the address of the published book, and its front page;
+``punctuation``  no line begins with a comma;
 ``slides``  each chapter as a deck;
 ``versions``  what the pages were built with;
 ``downloads``  links to the PDF and the figures, where they were made;
@@ -25,6 +26,7 @@ from ftbook import (
     folds,
     latex,
     links,
+    punctuation,
     site,
     slides,
     versions,
@@ -44,6 +46,7 @@ def setup(app):
     app.connect("doctree-read", folds.name_buttons)
     app.connect("env-check-consistency", latex.number_figures)
     app.connect("doctree-resolved", latex.prepare)
+    app.connect("doctree-resolved", punctuation.glue)
     app.connect("source-read", slides.mark_cells)
     app.connect("html-page-context", site.tidy_tags, priority=600)
     app.connect("html-page-context", site.keep_first, priority=700)
