@@ -12,7 +12,7 @@ import math
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -43,9 +43,8 @@ class Case:
     parameters: dict[str, float] | None = None
     lams: tuple[float, ...] = ()
 
-    @cached_property
-    def solution(self) -> fts.Solution:
-        return fts.solve(self.problem, max(RADIUS_ORDERS), progress=False)
+    def up_to(self, order: int) -> fts.Solution:
+        return fts.solve(self.problem, order, progress=False)
 
     @property
     def points(self) -> tuple[float, ...]:
@@ -151,12 +150,11 @@ def _row(case, name, order, lam, value, size, kind, found, stated, warned=None):
     return Row(kind, case.name, name, order, lam, true, float(stated), size, case.accuracy, warned)
 
 
-def rows(case, orders=ORDERS, arithmetic=None):
-    """Series and Padé sums of a case, at a fixed phase."""
+def rows(case, orders=ORDERS, arithmetic="exact", some=slice(None)):
+    """Series and Padé sums of a case, at a fixed phase, at some of its λ."""
     parameters = case.parameters or {}
-    whole = case.solution if arithmetic is None else fts.solve(
-        case.problem, max(orders), arithmetic, progress=False)
-    for lam in case.points:
+    whole = fts.solve(case.problem, max(orders), arithmetic, progress=False)
+    for lam in case.points[some]:
         truth = case.truth(lam)
         for order in orders:
             solution = whole.truncate(order)
@@ -199,8 +197,9 @@ def padé(solution, parameters):
 
 def radius_rows(case, orders=RADIUS_ORDERS):
     """The radius of every unknown as a whole."""
+    whole = case.up_to(max(orders))
     for order in orders:
-        solution = case.solution.truncate(order)
+        solution = whole.truncate(order)
         for name in case.problem.unknowns:
             try:
                 radius = solution.radius_of_convergence(name, **(case.parameters or {}))
@@ -213,10 +212,11 @@ def radius_rows(case, orders=RADIUS_ORDERS):
 def mode_rows(orders=(22, 30, 40, 50, 60, 70, 80, 84, 90, 92, 100)):
     """The radius of single modes of the cubic oscillator, where all have the radius 3."""
     case = cases()[2]
+    whole = case.up_to(max(orders))
     for order in orders:
         for n in range(5):
             try:
-                radius = case.solution.truncate(order).radius_of_convergence("x", n)
+                radius = whole.truncate(order).radius_of_convergence("x", n)
             except fts.InputError:
                 continue
             yield Row("mode", case.name, f"x, n={n}", order, 3, abs(radius.value - 3),

@@ -16,7 +16,7 @@ FEW, LARGEST = 50, 6
 
 @pytest.mark.parametrize("case", cases(), ids=lambda case: case.name)
 def test_true_errors_are_about_those_stated(case):
-    found = list(rows(case, orders=(1, 2, 3, 4, 8, 9, 12, 20, 40)))
+    found = list(rows(case, (1, 2, 3, 4, 8, 9, 16, 30), "exact", slice(None, None, 3)))
     ratios = np.array([row.ratio for row in found])
     assert all(row.stated > 2.0**-54 * row.size for row in found)
     assert ratios.max() < LARGEST and (ratios > 3).sum() <= max(1, len(found) // FEW)
@@ -26,7 +26,7 @@ def test_true_errors_are_about_those_stated(case):
 
 def test_radii():
     found = [row for case in cases()[:3] for row in radius_rows(case, (18, 22, 40, 60))]
-    found += mode_rows((22, 60, 90))
+    found += mode_rows((22, 60))
     assert len(found) > 20 and max(row.ratio for row in found) <= 3.1
     pendulum = next(row for row in found if (row.unknown, row.order) == ("x", 22))
     assert pendulum.stated > 0.1                     # one mode has a pole at 8/√3, 10⁻¹⁵ sharp
