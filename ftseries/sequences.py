@@ -183,6 +183,7 @@ class Sequences(Values):
         3.76995749
         """
         kind = unknown(self.problem, name)
+        self._check_parameters(parameters)
         if isinstance(kind, Scalar) or n is not None:
             return self._radius(*self.sequence(name, n or 0, sine, **parameters)[::2], name)
         found = []
