@@ -36,17 +36,26 @@ _SMALLEST, _MOST_STEPS = 3e-3, 80
 _NOTHING = 1e-9
 
 
-def change(before: Mapping[str, Modes], after: Mapping[str, Modes]) -> float:
+def change(before: Mapping[str, Modes], after: Mapping[str, Modes],
+           seen: Mapping[str, float] | None = None) -> float:
     """The largest change of a mode, relative to the largest mode of its own unknown.
+
+    ``seen`` are larger sizes that the unknowns had elsewhere, against which to take it.
 
     >>> change({"x": {(0, 1): 1.0}, "y": {}}, {"x": {(0, 1): 2.0, (0, 3): -0.5}, "y": {}})
     0.5
     """
-    sizes = {name: max(map(abs, modes.values()), default=0.0) for name, modes in after.items()}
+    sizes = _sizes(after, seen or {})
     least = max(_NOTHING * max(sizes.values()), sys.float_info.min)
     return max((abs(modes.get(mode, 0.0) - before[name].get(mode, 0.0)) / max(sizes[name], least)
                 for name, modes in after.items() for mode in modes.keys() | before[name].keys()),
                default=0.0)
+
+
+def _sizes(modes: Mapping[str, Modes], seen: Mapping[str, float]) -> dict[str, float]:
+    """The largest mode of each unknown, here or before."""
+    return {name: max([seen.get(name, 0.0), *map(abs, row.values())])
+            for name, row in modes.items()}
 
 
 def follow(series: Callable[[float], Orbit], lam: float) -> Orbit:
@@ -76,6 +85,7 @@ def follow(series: Callable[[float], Orbit], lam: float) -> Orbit:
     """
     before, here = _beginning(series, lam)
     steps, step = before.steps + here.steps, here.lam - before.lam
+    seen = _sizes(here.coefficients, {})            # an unknown may pass through 0
     for _ in range(_MOST_STEPS):
         if here.lam == lam:
             here.steps = steps
@@ -89,9 +99,10 @@ def follow(series: Callable[[float], Orbit], lam: float) -> Orbit:
         except SolveError:
             off = math.inf
         else:
-            steps, off = steps + found.steps, change(guess.coefficients, found.coefficients)
+            steps, off = steps + found.steps, change(
+                guess.coefficients, found.coefficients, seen)
         if off <= _NEAR:
-            before, here = here, found
+            before, here, seen = here, found, _sizes(found.coefficients, seen)
         elif abs(ahead - here.lam) < _SMALLEST * abs(lam):
             break
         step *= min(max((_AIM / off) ** 0.5 if off else 2.0, 0.5), 2.0)

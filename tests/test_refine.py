@@ -85,6 +85,8 @@ def test_beyond_the_radius_the_family_is_followed():
         warnings.simplefilter("error")
         assert abs(sol.refine(4).evaluate("a") - mathieu.eigenvalue(4)) < 1e-11
         assert abs(sol.refine(2).evaluate("a") - mathieu.eigenvalue(2)) < 1e-12
+        for lam in (6, 20):                             # on the way a passes through 0
+            assert sol.refine(lam).evaluate("a") == pytest.approx(mathieu.eigenvalue(lam), 1e-12)
 
 
 @pytest.mark.parametrize("equation, order, lam, omega", [
