@@ -87,6 +87,13 @@ class Collocation:
         """The free modes, in the order of the columns."""
         return np.array([coefficients[name].get((sine, n), 0.0) for name, sine, n in self.columns])
 
+    def _matrix(self, x: Array, lam: float, condition: bool) -> Array:
+        """The derivatives of F, by an imaginary step; λ is the last unknown with the condition."""
+        moved = x + 1j * _STEP * np.eye(len(x))
+        at = moved[:, -1] if condition else np.full(len(x), lam + 0j)
+        matrix: Array = self(moved[:, :-1] if condition else moved, at, condition).imag.T / _STEP
+        return matrix
+
     def _steady(self, x: Array, delta: Array) -> bool:
         """Whether every unknown has nearly stopped to change, not only the largest one."""
         names = np.array([name for name, *_ in self.columns])
@@ -106,15 +113,11 @@ class Collocation:
 
         The rest is what F keeps, against the terms of F: with too few modes it need not be small.
         """
-        start, size, before = lam, len(x) + condition, np.inf
-        steps = 1j * _STEP * np.eye(size)
+        start, before = lam, np.inf
         for step in range(1, _MOST_STEPS + 1):
             trial = np.append(x, lam) if condition else x
             if before > 1e-2:                            # close by, the last matrix will do
-                moved = trial + steps
-                matrix = self(moved[:, :len(x)],
-                              moved[:, -1] if condition else np.full(size, lam + 0j),
-                              condition).imag.T / _STEP
+                matrix = self._matrix(trial, lam, condition)
                 if not np.isfinite(matrix).all():
                     break
                 rows = np.abs(matrix).max(axis=1) > 1e-13 * np.abs(matrix).max()
@@ -130,7 +133,8 @@ class Collocation:
                 if not self._steady(x, delta):
                     break
                 rest = np.abs(self(x, np.asarray(lam), condition)).max()
-                terms = (np.abs(matrix) @ np.abs(trial)).max()
+                end = np.append(x, lam) if condition else x
+                terms = (np.abs(self._matrix(end, lam, condition)) @ np.abs(end)).max()
                 return x, float(lam), step, float(rest / terms if terms else rest)
             before = change
         raise SolveError(f"Newton's method does not converge at λ = {start:g}: the series is too "

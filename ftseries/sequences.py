@@ -39,7 +39,7 @@ __all__ = ["Sequences"]
 #: Fourier orders from which the radius of a whole unknown is taken
 _LOW_MODES = 6
 #: the uncertainty of a field's radius that one sequence alone shows, and up to which one counts
-_ALONE, _SHARP = 0.1, 0.02
+_ALONE, _SHARP = 0.1, 0.1
 #: cos(kπ/2)
 _WAVE = (1, 0, -1, 0)
 #: so many coefficients of a sequence usually show its singularity

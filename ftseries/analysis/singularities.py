@@ -36,8 +36,8 @@ _DEGREES, _FLOAT_DEGREES = (1, 2, 3, 4, 6, 8, 10, 12, 14, 16, 18, 20), (1, 2, 3,
 _FEWEST, _UNKNOWN = 10, 0.1
 #: an exponent is clear with this error; if it is not, the fits may agree on a place that is not one
 _CLEAR = 0.01
-#: what one move of a place counts, where none before is known
-_SINGLE = 3
+#: of n coefficients, the ratio of the last ones moves a place by exponent/n; this allows for more
+_LEVER = 2
 #: each degree is fitted to the last coefficients, and with this many of them left out
 _LEFT_OUT = (0, 1, 2)
 _BITS = 700
@@ -47,8 +47,6 @@ _DIGITS = 10
 _CLOSE, _CLOSE_ENOUGH = 0.02, 0.06
 #: zeros are looked for between these multiples of the radius that the root test suggests
 _NEAREST, _FARTHEST = 0.1, 1.6
-#: a zero farther than this, as a part of the place, is another one
-_DISTANT = 0.35
 #: the error given, in units of the distance within which half of the fits lie
 _SAFETY = 5
 
@@ -76,9 +74,8 @@ class Singularity:
     """A singularity (1 - z/location)^exponent; exponent 0 is a logarithm.
 
     The errors say how far half of the fits differ, with a factor of safety; where these do not
-    agree on the exponent, how far three quarters of those with a
-    zero nearby differ, and how far the place may still move, from
-    where two thirds of the coefficients put it.  They are estimates.  At
+    agree on the exponent, the place's error allows for what another exponent would move it by, and
+    for where fewer coefficients put it.  They are estimates.  At
     a singularity of another form, such as 1/log, the exponent is an effective one.
     """
 
@@ -181,9 +178,9 @@ def nearest_singularities(c: Sequence[Number]) -> list[Singularity]:
     if not found:
         raise FewError("no singularity fits these coefficients: give more of them, or their "
                        "function has none")
-    shorter = [_located(c[:length]) if length >= _FEWEST else []
-               for length in (2 * len(c) // 3, 4 * len(c) // 9)]
-    return [s if s.exponent_error < _CLEAR else replace(s, error=max(s.error, _drift(s, *shorter)))
+    shorter = [place for length in (5 * len(c) // 6, 25 * len(c) // 36) if length >= _FEWEST
+               for place in _located(c[:length])]
+    return [s if s.exponent_error < _CLEAR else replace(s, error=max(s.error, _moved(s, shorter)))
             for s in found]
 
 
@@ -199,29 +196,18 @@ def _located(c: Sequence[Number]) -> list[Singularity]:
         fits = [zeros for degree in degrees for left_out in _LEFT_OUT
                 if len(c) - 2 - 2 * degree - left_out >= degree
                 and (zeros := _fit(c[:len(c) - left_out], degree)) is not None]
-    found = _agreed(fits, _CLOSE) or _agreed(fits, _CLOSE_ENOUGH)
+    found = _agreed(fits, _CLOSE, len(c)) or _agreed(fits, _CLOSE_ENOUGH, len(c))
     return [Singularity(s.location * scale, s.exponent, s.error * scale, s.exponent_error)
             for s in found]
 
 
-def _drift(s: Singularity, shorter: Sequence[Singularity],
-           shortest: Sequence[Singularity]) -> float:
-    """How far a place may still move, from where fewer coefficients put it.
-
-    If its moves d', d fall geometrically, d r/(1 - r) with r = d/d' is left.
-    """
+def _moved(s: Singularity, shorter: Sequence[Singularity]) -> float:
+    """How far a place lies from where fewer coefficients put it, if that was believed sharp."""
     if not shorter:
         return _UNKNOWN * abs(s.location)
-    places = [s.location]
-    for found in (shorter, shortest):
-        if found:
-            places.append(min((each.location for each in found),
-                              key=lambda z: abs(z - places[-1])))
-    moves = np.abs(np.diff(places))
-    if len(moves) < 2:
-        return _SINGLE * float(moves[0])
-    ratio = min(moves[0] / moves[1], 0.9) if moves[1] else 0.0
-    return float(moves[0] * ratio / (1 - ratio))
+    before = min(shorter, key=lambda each: abs(each.location - s.location))
+    distance = abs(before.location - s.location)
+    return float(distance) if distance > before.error else 0.0
 
 
 def _numbers(c: Sequence[Number]) -> list[arb]:
@@ -280,8 +266,8 @@ def _fit(c: Sequence[Number], degree: int) -> Any:
     return np.array(found, dtype=complex).reshape(-1, 2)
 
 
-def _agreed(fits: Any, close: float) -> list[Singularity]:
-    """Every place where half of the fits have a zero."""
+def _agreed(fits: Any, close: float, count: int) -> list[Singularity]:
+    """Every place where half of the fits to so many coefficients have a zero."""
     candidates = []
     half = max(2, (len(fits) + 1) // 2)
     for z, s in np.concatenate([*fits, np.empty((0, 2))]):
@@ -290,22 +276,19 @@ def _agreed(fits: Any, close: float) -> list[Singularity]:
             if len(fit):
                 i = np.abs(fit[:, 0] - z).argmin()
                 near.append((abs(fit[i, 0] - z), abs(fit[i, 1] - s)))
-        near.sort()
-        close_by = [distance for distance, _ in near if distance < _DISTANT * abs(z)]
-        near = near[:half]
+        near = sorted(near)[:half]
         if len(near) == half and near[-1][0] < close * abs(z):
-            candidates.append((near[-1][0], max(change for _, change in near), complex(z), s,
-                               close_by[3 * len(close_by) // 4]))
-    chosen: list[tuple[float, float, complex, complex, float]] = []
-    for candidate in sorted(candidates, key=lambda c: c[:2]):
-        if all(abs(candidate[2] - z) > 5 * close * abs(candidate[2]) for _, _, z, _, _ in chosen):
-            chosen.append(candidate)
+            candidates.append((near[-1][0], max(change for _, change in near), complex(z), s))
+    chosen: list[tuple[float, float, complex, complex]] = []
+    for error, exponent_error, z, s in sorted(candidates, key=lambda c: c[:2]):
+        if all(abs(z - other[2]) > 5 * close * abs(z) for other in chosen):
+            chosen.append((error, exponent_error, z, s))
     result = []
-    for error, exponent_error, z, s, most_differ in sorted(chosen, key=lambda c: abs(c[2])):
+    for error, exponent_error, z, s in sorted(chosen, key=lambda c: abs(c[2])):
         error = float(_SAFETY * error + 1e-15 * abs(z))
         exponent_error = float(_SAFETY * exponent_error + abs(s.imag) + 1e-15)
-        if exponent_error >= _CLEAR:
-            error = max(error, most_differ)
         places = [complex(z.real)] if abs(z.imag) <= error else [z, z.conjugate()]
+        if exponent_error >= _CLEAR:
+            error = max(error, _LEVER * exponent_error * abs(z) / count)
         result += [Singularity(place, float(s.real), error, exponent_error) for place in places]
     return result

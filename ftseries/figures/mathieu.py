@@ -47,7 +47,7 @@ def potential(ax: Axes, points: Sequence[tuple[float, float]]) -> None:
 
 
 def well(ax: Axes, lam: float, mu: float) -> None:
-    """The potential at one (λ, μ), the energy a, and ψ by the Hill matrix drawn on this level.
+    r"""The potential at one (λ, μ), the energy a, and ψ by the Hill matrix drawn on this level.
 
     >>> from matplotlib.figure import Figure
     >>> ax = Figure().subplots()

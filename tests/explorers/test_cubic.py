@@ -1,6 +1,7 @@
 """js/elliptic.js against the exact oscillator of ftseries.references."""
 
 import numpy as np
+from mpmath import mpf
 
 from ftseries import explorers
 from ftseries.references import cubic
@@ -15,8 +16,9 @@ def test_exact_motion(run_javascript):
     t = random.uniform(0, END, lam.size)
     found = run_javascript("output = input.map(([t, lam]) => [position(t, lam), frequency(lam)]);",
                            np.transpose([t, lam]).tolist(), "elliptic.js")
+    bits = [(mpf(t), mpf(lam)) for t, lam in zip(t.tolist(), lam.tolist(), strict=True)]
     exact = [(float(cubic.position(*place, dps=30)), float(cubic.frequency(place[1], dps=30)))
-             for place in zip(t.tolist(), lam.tolist(), strict=True)]
+             for place in bits]                        # an mpf is its bits, a float its decimal
     assert np.abs(np.subtract(found, exact)).max() < 1e-12
 
 

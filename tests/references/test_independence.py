@@ -11,7 +11,7 @@ FILES = sorted(Path(ftseries.references.__file__).parent.glob("*.py"))
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.name)
-def test_only_arguments_errors_types_and_other_references_are_imported(file):
+def test_only_arguments_errors_types_locks_and_other_references_are_imported(file):
     imported = set()
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom):
@@ -21,7 +21,7 @@ def test_only_arguments_errors_types_and_other_references_are_imported(file):
             imported |= {name.name for name in node.names}
     ours = {name for name in imported if name.split(".")[0] == "ftseries"}
     allowed = ("ftseries.arguments.", "ftseries.errors.", "ftseries.references.",
-               "ftseries.aliases.")
+               "ftseries.aliases.", "ftseries.precision.")
     assert all(name.startswith(allowed) for name in ours)
 
 
