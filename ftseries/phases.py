@@ -10,6 +10,14 @@ by a part of a period lead to further phases.  The first phase is τ = 1: e^i is
 Fourier sum with algebraic coefficients vanishes there only if all of them do.  Free parameters have
 the values e^{-√2}, e^{-√3}, e^{-√5}, …, algebraically independent of e^i and of one another
 (Lindemann and Weierstrass).
+
+Rounding of floats is measured against what was added up: the spread of a function, log₂ of the
+size of its terms by order, is that of its parts also where they cancel,
+
+.. math::  (a b)_k:  \max_j \max(|a_j| \, \mathrm{spread}\, b_{k-j}, \;
+                                 |b_j| \, \mathrm{spread}\, a_{k-j}),
+
+and what a function g(a) does to the spread of a, g'(a) does likewise.
 """
 
 from __future__ import annotations
@@ -22,7 +30,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from flint import arb, arb_mat, arb_series, fmpq
 
-from .aliases import Coefficients, Exact, Mode, Modes, Number
+from .aliases import Array, Coefficients, Exact, Mode, Modes, Number
 from .arguments import decimal
 from .errors import InputError
 from .function import Function
@@ -31,7 +39,7 @@ from .precision import working
 if TYPE_CHECKING:
     from .problem import Problem
 
-__all__ = ["Defect", "mode", "unsatisfied"]
+__all__ = ["Defect", "mode", "size_of_terms", "unsatisfied"]
 
 #: bits at which exact coefficients, and floats, are put in; what they may at most become
 _BITS = {"exact": 512, "float": 96, "ball": 128}
@@ -55,7 +63,7 @@ class Phases:
         self.parameters = dict(zip(parameters, independent(len(parameters))))
         #: every function that was made, for the size of the terms
         self.made: list[AtPhases] = []
-        self.lam = AtPhases(self, [self.series([0, 1])] * count, self.zero)
+        self.lam = self._same(self.series([0, 1]))
 
     def series(self, coefficients: Sequence[Any]) -> arb_series:
         return arb_series(list(coefficients), self.top + 1)
@@ -67,7 +75,12 @@ class Phases:
         return self._constant(arb(decimal(number)))
 
     def _constant(self, number: arb) -> AtPhases:
-        return AtPhases(self, [self.series([number])] * self.count, self.zero)
+        return self._same(self.series([number]))
+
+    def _same(self, series: arb_series) -> AtPhases:
+        """A function of λ alone."""
+        return AtPhases(self, [series] * self.count, self.zero,
+                        lambda: [_magnitude(series, self.top)] * self.count)
 
     def parameter(self, name: str) -> AtPhases:
         return self._constant(self.parameters[name])
@@ -95,9 +108,14 @@ class Phases:
         waves = arb_mat([[n**times * _wave(n * tau, times - sine) for tau in self.tau]
                          for sine, n in modes])
         product = matrix * waves
+
+        def spread() -> list[Array]:
+            terms = [self.series([sum(abs(matrix[m, i]) * n**times for i, (_, n) in
+                                      enumerate(modes)) for m in range(matrix.nrows())])]
+            return [_magnitude(series, self.top) for series in terms * self.count]
         return AtPhases(self, [self.series([product[m, j] for m in range(matrix.nrows())])
                                for j in range(self.count)],
-                        lambda: self._waves(modes, matrix, times + 1))
+                        lambda: self._waves(modes, matrix, times + 1), spread)
 
     def sizes(self) -> list[arb]:
         """The largest term of each order of λ."""
@@ -108,48 +126,82 @@ class Phases:
                     sizes[k] = max(sizes[k], c.abs_upper())
         return sizes
 
+    def spread(self) -> list[arb]:
+        """The largest term of each order, those that cancel among them."""
+        largest = np.max([spread for function in self.made for spread in function.spread], axis=0)
+        return [arb(0) if k == -np.inf else arb(2) ** arb(k) for k in largest]
+
 
 class AtPhases(Function):
     """One function: a power series in λ at each phase, and what makes its derivative in τ."""
 
     def __init__(self, phases: Phases, values: Sequence[arb_series],
-                 derivative: Callable[[], AtPhases]) -> None:
-        self.expansion, self.values, self._derivative = phases, list(values), derivative
+                 derivative: Callable[[], AtPhases], spread: Callable[[], list[Array]]) -> None:
+        self.expansion, self.values = phases, list(values)
+        self._derivative, self._spread = derivative, spread
         phases.made.append(self)
 
     def _new(self, values: Iterator[arb_series] | list[arb_series],
-             derivative: Callable[[], AtPhases]) -> AtPhases:
-        return AtPhases(self.expansion, list(values), derivative)
+             derivative: Callable[[], AtPhases], spread: Callable[[], list[Array]]) -> AtPhases:
+        return AtPhases(self.expansion, list(values), derivative, spread)
 
     @cached_property
     def slope(self) -> AtPhases:
         return self._derivative()
 
+    @cached_property
+    def magnitudes(self) -> list[Array]:
+        """log₂ of the coefficients, at each phase."""
+        return self._magnitudes(self.values)
+
+    def _magnitudes(self, values: list[arb_series]) -> list[Array]:
+        return [_magnitude(series, self.expansion.top) for series in values]
+
+    @cached_property
+    def spread(self) -> list[Array]:
+        """log₂ of the size of the terms behind each coefficient, at each phase."""
+        return list(map(np.maximum, self._spread(), self.magnitudes))
+
     def _sum(self, other: AtPhases) -> AtPhases:
-        return self._new(map(_add, self.values, other.values), lambda: self.slope + other.slope)
+        return self._new(map(_add, self.values, other.values), lambda: self.slope + other.slope,
+                         lambda: list(map(np.maximum, self.spread, other.spread)))
 
     def _product(self, other: AtPhases) -> AtPhases:
         return self._new(map(_multiply, self.values, other.values),
-                         lambda: self.slope * other + self * other.slope)
+                         lambda: self.slope * other + self * other.slope,
+                         lambda: list(map(np.maximum, self._carry(other.magnitudes),
+                                          other._carry(self.magnitudes))))
+
+    def _carry(self, factors: list[Array]) -> list[Array]:
+        """The spread of this function in its product with another."""
+        return list(map(_largest_product, factors, self.spread))
 
     def _multiple(self, number: Exact) -> AtPhases:
         factor = arb(decimal(number))
-        return self._new([v * factor for v in self.values], lambda: self.slope * number)
+        size = _log2(factor)
+        return self._new([v * factor for v in self.values], lambda: self.slope * number,
+                         lambda: [spread + size for spread in self.spread])
 
     def _power(self, alpha: fmpq) -> AtPhases:
-        exponent = int(alpha.p) if alpha.q == 1 else arb(alpha)
+        exponent, less = (int(a.p) if a.q == 1 else arb(a) for a in (alpha, alpha - 1))
+        factor = arb(alpha)
         return self._new([v**exponent for v in self.values],
-                         lambda: self ** (alpha - 1) * self.slope * alpha)
+                         lambda: self ** (alpha - 1) * self.slope * alpha,
+                         lambda: self._carry(
+                             self._magnitudes([v**less * factor for v in self.values])))
 
     def exp(self) -> AtPhases:
-        result = self._new([v.exp() for v in self.values], lambda: result * self.slope)
+        result = self._new([v.exp() for v in self.values], lambda: result * self.slope,
+                           lambda: self._carry(result.magnitudes))
         return result
 
     def sin(self) -> AtPhases:
-        return self._new([v.sin() for v in self.values], lambda: self.cos() * self.slope)
+        return self._new([v.sin() for v in self.values], lambda: self.cos() * self.slope,
+                         lambda: self._carry(self._magnitudes([v.cos() for v in self.values])))
 
     def cos(self) -> AtPhases:
-        return self._new([v.cos() for v in self.values], lambda: self.sin() * self.slope * -1)
+        return self._new([v.cos() for v in self.values], lambda: self.sin() * self.slope * -1,
+                         lambda: self._carry(self._magnitudes([v.sin() for v in self.values])))
 
     def diff(self, times: int = 1) -> AtPhases:
         return self.slope if times == 1 else self.slope.diff(times - 1)
@@ -160,7 +212,8 @@ class AtPhases(Function):
             raise Denser(int((steps / self.expansion.count).q))
         first = int(steps.p) % self.expansion.count
         return self._new(self.values[first:] + self.values[:first],
-                         lambda: self.slope.shift(fraction))
+                         lambda: self.slope.shift(fraction),
+                         lambda: self.spread[first:] + self.spread[:first])
 
     def neighbours(self, bodies: int = 3) -> AtPhases:
         total = self.shift(fmpq(1, bodies))
@@ -180,6 +233,30 @@ def _add(a: arb_series, b: arb_series) -> arb_series:
 
 def _multiply(a: arb_series, b: arb_series) -> arb_series:
     return a * b
+
+
+def _magnitude(series: arb_series, top: int) -> Array:
+    """log₂ of the sizes of the coefficients up to λ^top; -inf of 0."""
+    result = np.full(top + 1, -math.inf)
+    for k, c in enumerate(series.coeffs()):
+        result[k] = _log2(c)
+    return result
+
+
+def _log2(number: arb) -> float:
+    size = number.abs_upper()
+    if not size.is_finite():
+        return math.inf
+    man, exp = size.man_exp()
+    return math.log2(int(man)) + int(exp) if man else -math.inf
+
+
+def _largest_product(a: Array, b: Array) -> Array:
+    """The logarithms max_j (a_j + b_{k-j})."""
+    result = np.full(len(a), -math.inf)
+    for j, size in enumerate(a):
+        np.maximum(result[j:], size + b[:len(b) - j], out=result[j:])
+    return result
 
 
 def independent(count: int) -> list[arb]:
@@ -228,21 +305,23 @@ def unsatisfied(problem: Problem, arithmetic: str, coefficients: Coefficients,
     ('(C3)', 6)
     """
     order = min(map(len, coefficients.values())) - 1
-    top = order + max(shifts or [0])
-    bits, count = precision or _BITS[arithmetic], 1
+    top, bits = order + max(shifts or [0]), precision or _BITS[arithmetic]
     while bits <= max(_MOST_BITS, precision or 0):
-        try:
-            with working(bits=bits, terms=top + 1):
-                phases, found = _residuals(problem, coefficients, top, count)
-                bad, narrow = _first(phases, found, arithmetic, shifts or [0] * len(found), order)
-        except Denser as denser:
-            count = math.lcm(count, *denser.args)
-            continue
+        with working(bits=bits, terms=top + 1):
+            phases, found = _residuals(problem, coefficients, top)
+            bad, narrow = _first(phases, found, arithmetic, shifts or [0] * len(found), order)
         if bad or narrow:
             return bad
         bits *= 2
     raise InputError(f"{problem!r}: its residuals cannot be decided with {_MOST_BITS} bits; solve "
                      "to a lower order")
+
+
+def size_of_terms(problem: Problem, coefficients: Coefficients, order: int) -> float:
+    """The largest term of the residuals at this order of λ, those that cancel among them."""
+    with working(bits=_BITS["float"], terms=order + 1):
+        phases, _ = _residuals(problem, coefficients, order)
+        return float(phases.spread()[order])
 
 
 def mode(problem: Problem, coefficients: Coefficients, defect: Defect) -> Mode:
@@ -261,30 +340,42 @@ def mode(problem: Problem, coefficients: Coefficients, defect: Defect) -> Mode:
 
 
 def _residuals(problem: Problem, coefficients: Coefficients, top: int,
-               count: int) -> tuple[Phases, dict[str, AtPhases]]:
-    phases = Phases(top, count, problem.parameters)
-    unknowns = {name: phases.polynomial(rows) for name, rows in coefficients.items()}
-    return phases, problem.residuals(phases.lam, unknowns)
+               count: int = 1) -> tuple[Phases, dict[str, AtPhases]]:
+    try:
+        phases = Phases(top, count, problem.parameters)
+        unknowns = {name: phases.polynomial(rows) for name, rows in coefficients.items()}
+        return phases, problem.residuals(phases.lam, unknowns)
+    except Denser as denser:
+        return _residuals(problem, coefficients, top, math.lcm(count, *denser.args))
 
 
 def _first(phases: Phases, found: Mapping[str, AtPhases], arithmetic: str, shifts: Sequence[int],
            order: int) -> tuple[Defect | None, bool]:
     """The first residual that does not vanish; and whether the balls are narrow enough to say."""
+    tops = [order + shift for shift in shifts]
+    if arithmetic == "float":                          # the spread takes longer, and tells more
+        return (_first_float(found, tops, phases.sizes())
+                and _first_float(found, tops, phases.spread())), True
     sizes, bad, narrow = phases.sizes(), [], True
     least = _EXACT * max(sizes)              # where all terms of an order vanish, rounding is left
-    for (name, residual), shift in zip(found.items(), shifts):
+    for (name, residual), top in zip(found.items(), tops):
         for series in residual.values:
-            for k, c in enumerate(series.coeffs()[:order + shift + 1]):
-                if arithmetic == "float":
-                    zero = c.is_finite() and not abs(c) > _FLOAT * sizes[k]
-                else:
-                    zero = c.contains(0)
-                    narrow = narrow and (arithmetic == "ball"
-                                         or not c.rad() > _EXACT * max(sizes[k], least))
-                if not zero:
+            for k, c in enumerate(series.coeffs()[:top + 1]):
+                narrow = narrow and (arithmetic == "ball"
+                                     or not c.rad() > _EXACT * max(sizes[k], least))
+                if not c.contains(0):
                     bad.append(Defect(name, k, float(abs(c) / sizes[k])))
                     break
     return min(bad, key=lambda defect: defect.order, default=None), narrow
+
+
+def _first_float(found: Mapping[str, AtPhases], tops: Sequence[int],
+                 sizes: Sequence[arb]) -> Defect | None:
+    bad = [Defect(name, k, float(abs(c) / sizes[k]))
+           for (name, residual), top in zip(found.items(), tops) for series in residual.values
+           for k, c in enumerate(series.coeffs()[:top + 1])
+           if not (c.is_finite() and not abs(c) > _FLOAT * sizes[k])]
+    return min(bad, key=lambda defect: defect.order, default=None)
 
 
 def _ball(number: Number, point: Sequence[arb]) -> arb:

@@ -139,3 +139,29 @@ class TestFunctions:
         h = 1e-5
         ends = [Shifted().pair(make, sign * h) for sign in (1, -1)]
         assert np.abs(ours - (ends[0] - ends[1]) / (2 * h)).max() < 1e-9
+
+
+SLOW = {"x": fts.Field("cos", fixed=(1,)), "y": fts.Field("cos"), "omega": fts.Scalar()}
+CANCELLING = [  # in floats the terms of some orders cancel to rounding, or to nothing
+    (["x'' + x + 5/4*y**2", "y'' = lam**2*(lam/3 - y)"], 1 / 3),
+    (["x'' + x - y**2", "y'' = lam**3*(-lam**2/3 - y)"], None),
+    (["x'' + x + x*y/3", "y'' = lam**5*(lam**2 - y)"], None),
+    (["x'' + x + 5/4*y**2 - 2*z*x", "y'' = lam*(-2*lam - y)", "z'' = lam*(y**2 - z)"], -2.0),
+]
+
+
+@pytest.mark.parametrize("equations, first", CANCELLING)
+def test_rounding_is_no_fault(equations, first):
+    """Where all terms of an order cancel, what floats leave is measured against these terms."""
+    unknowns = SLOW | ({"z": fts.Field("cos")} if len(equations) == 3 else {})
+    seed = {"x": "lam*cos(omega*t)", "y": "0", "omega": "1"} | (
+        {"z": "0"} if len(equations) == 3 else {})
+    problem = fts.Equations(equations, unknowns=unknowns, seed=seed, frequency="omega")
+    exact, floats = (fts.solve(problem, 10, arithmetic) for arithmetic in ("exact", "float"))
+    for name in unknowns:
+        for m, row in enumerate(exact.coefficients[name]):
+            for mode, c in row.items():
+                other = floats.coefficients[name][m].get(mode, 0.0)
+                assert other == pytest.approx(float(c.p) / float(c.q), rel=1e-9)
+    if first is not None:
+        assert floats.coefficient("y", 0, 1) == pytest.approx(first, rel=1e-15)
