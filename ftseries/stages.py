@@ -42,7 +42,6 @@ from .errors import ContradictionError, SolveError, UndeterminedError
 from .expansion import Expansion
 from .laurent import RationalRing
 from .linear import Elimination, Family, LinearPart
-from .phases import size_of_terms
 
 if TYPE_CHECKING:
     from .problem import Problem
@@ -233,16 +232,8 @@ class Stages:
         residual = self.residual(k)                     # evaluates the nodes that scale looks at
         scales = [_scale(self.expansion, k + shift) for shift in self.linear.shifts]
         self.sizes[k] = max(scales)
-        for row, c in residual.items():
-            scale = scales[row[0]]
-            if self.ring.negligible(c, scale):
-                continue
-            if not self.ring.exact:                     # of terms that cancel rounding is left
-                order = k + self.linear.shifts[row[0]]
-                scale = max(scale, size_of_terms(self.problem, self.known, order))
-            if not self.ring.negligible(c, scale):
-                return row, c, scale
-        return None
+        return next(((row, c, scales[row[0]]) for row, c in residual.items()
+                     if not self.ring.negligible(c, scales[row[0]])), None)
 
     def refuse(self, k: int, row: tuple[Row, Number, float] | None = None, message: str =
                "equation {name} has no solution at order {order} of λ, mode {mode}: no coefficient "
