@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from flint import arb, arb_mat, arb_series, fmpq
 
+from . import rounding
 from .aliases import Coefficients, Exact, Mode, Modes, Number
 from .arguments import decimal
 from .errors import InputError
@@ -38,8 +39,8 @@ _BITS = {"exact": 512, "float": 96, "ball": 128}
 _MOST_BITS = 2**14
 #: a residual of exact coefficients is zero if it is below this part of its terms
 _EXACT = arb(2) ** -128
-#: of floats: rounding of a Cauchy sum over hundreds of orders stays far below, a fault far above
-_FLOAT = arb("1e-9")
+#: the same of floats
+_FLOAT = arb(rounding.NEGLIGIBLE)
 
 
 class Denser(Exception):
@@ -275,14 +276,16 @@ def _first(phases: Phases, found: Mapping[str, AtPhases], arithmetic: str, shift
     for (name, residual), shift in zip(found.items(), shifts):
         for series in residual.values:
             for k, c in enumerate(series.coeffs()[:order + shift + 1]):
+                size = sizes[k]
                 if arithmetic == "float":
-                    zero = c.is_finite() and not abs(c) > _FLOAT * sizes[k]
+                    size = size if not abs(c) > _FLOAT * size else rounding.size(sizes[:k + 1])
+                    zero = c.is_finite() and not abs(c) > _FLOAT * size
                 else:
                     zero = c.contains(0)
                     narrow = narrow and (arithmetic == "ball"
                                          or not c.rad() > _EXACT * max(sizes[k], least))
                 if not zero:
-                    bad.append(Defect(name, k, float(abs(c) / sizes[k])))
+                    bad.append(Defect(name, k, float(abs(c) / size)))
                     break
     return min(bad, key=lambda defect: defect.order, default=None), narrow
 
