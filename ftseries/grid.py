@@ -21,6 +21,7 @@ import numpy as np
 from .aliases import Array, Exact, Modes, Multiplier, Number, Parts, Terms
 from .arguments import quotient, rational
 from .errors import InputError
+from .rounding import NEGLIGIBLE
 from .trig import Ring, Trig
 
 __all__ = ["FloatRing"]
@@ -75,9 +76,7 @@ class FloatRing(Ring):
         return number == 0.0
 
     def negligible(self, number: float, scale: float) -> bool:
-        # Rounding of a Cauchy sum over hundreds of orders stays far below this, a wrong equation
-        # far above.
-        return abs(number) <= 1e-9 * scale
+        return abs(number) <= NEGLIGIBLE * scale
 
     def root(self, value: float, alpha: Exact) -> float:
         alpha = rational(alpha)

@@ -30,6 +30,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from flint import arb, arb_mat, arb_series, fmpq
 
+from . import rounding
 from .aliases import Array, Coefficients, Exact, Mode, Modes, Number
 from .arguments import decimal
 from .errors import InputError
@@ -39,15 +40,15 @@ from .precision import working
 if TYPE_CHECKING:
     from .problem import Problem
 
-__all__ = ["Defect", "mode", "size_of_terms", "unsatisfied"]
+__all__ = ["Defect", "mode", "unsatisfied"]
 
 #: bits at which exact coefficients, and floats, are put in; what they may at most become
 _BITS = {"exact": 512, "float": 96, "ball": 128}
 _MOST_BITS = 2**14
 #: a residual of exact coefficients is zero if it is below this part of its terms
 _EXACT = arb(2) ** -128
-#: of floats: rounding of a Cauchy sum over hundreds of orders stays far below, a fault far above
-_FLOAT = arb("1e-9")
+#: the same of floats
+_FLOAT = arb(rounding.NEGLIGIBLE)
 
 
 class Denser(Exception):
@@ -126,10 +127,12 @@ class Phases:
                     sizes[k] = max(sizes[k], c.abs_upper())
         return sizes
 
-    def spread(self) -> list[arb]:
+    def spread(self) -> Array:
         """The largest term of each order, those that cancel among them."""
         largest = np.max([spread for function in self.made for spread in function.spread], axis=0)
-        return [arb(0) if k == -np.inf else arb(2) ** arb(k) for k in largest]
+        with np.errstate(over="ignore"):
+            sizes: Array = np.exp2(largest)
+        return sizes
 
 
 class AtPhases(Function):
@@ -317,13 +320,6 @@ def unsatisfied(problem: Problem, arithmetic: str, coefficients: Coefficients,
                      "to a lower order")
 
 
-def size_of_terms(problem: Problem, coefficients: Coefficients, order: int) -> float:
-    """The largest term of the residuals at this order of λ, those that cancel among them."""
-    with working(bits=_BITS["float"], terms=order + 1):
-        phases, _ = _residuals(problem, coefficients, order)
-        return float(phases.spread()[order])
-
-
 def mode(problem: Problem, coefficients: Coefficients, defect: Defect) -> Mode:
     """The largest Fourier mode (sine, n) of a residual that does not vanish."""
     count, bits = 4, _BITS["float"]
@@ -355,7 +351,7 @@ def _first(phases: Phases, found: Mapping[str, AtPhases], arithmetic: str, shift
     tops = [order + shift for shift in shifts]
     if arithmetic == "float":                          # the spread takes longer, and tells more
         return (_first_float(found, tops, phases.sizes())
-                and _first_float(found, tops, phases.spread())), True
+                and _first_float(found, tops, rounding.sizes(phases.spread().tolist()))), True
     sizes, bad, narrow = phases.sizes(), [], True
     least = _EXACT * max(sizes)              # where all terms of an order vanish, rounding is left
     for (name, residual), top in zip(found.items(), tops):
@@ -370,7 +366,8 @@ def _first(phases: Phases, found: Mapping[str, AtPhases], arithmetic: str, shift
 
 
 def _first_float(found: Mapping[str, AtPhases], tops: Sequence[int],
-                 sizes: Sequence[arb]) -> Defect | None:
+                 sizes: Sequence[Any]) -> Defect | None:
+    sizes = [arb(size) for size in sizes]
     bad = [Defect(name, k, float(abs(c) / sizes[k]))
            for (name, residual), top in zip(found.items(), tops) for series in residual.values
            for k, c in enumerate(series.coeffs()[:top + 1])

@@ -37,6 +37,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from flint import fmpq
 
+from . import rounding
 from .aliases import Coefficients, Column, Number, Row, Vector
 from .errors import ContradictionError, SolveError, UndeterminedError
 from .expansion import Expansion
@@ -70,6 +71,8 @@ class Stages:
         self.residuals = list(problem.residuals(self.expansion.lam, self.unknowns).values())
         #: the size of the terms by which each order was found, in floats
         self.sizes: dict[int, float] = {}
+        #: the largest term of each order of λ, in floats
+        self.terms: dict[int, float] = {}
         #: how many orders of each unknown are given, and the first that is sought
         self.given = {name: len(rows) for name, rows in known.items()}
         self.start = min(self.given.values())
@@ -230,10 +233,17 @@ class Stages:
     def unsatisfied(self, k: int) -> tuple[Row, Number, float] | None:
         """A row of R_{k+s} that does not vanish, its value, and the size of its terms."""
         residual = self.residual(k)                     # evaluates the nodes that scale looks at
-        scales = [_scale(self.expansion, k + shift) for shift in self.linear.shifts]
-        self.sizes[k] = max(scales)
+        scales = [self.scale(k + shift) for shift in self.linear.shifts]
+        self.sizes[k] = max(self.terms[k + shift] for shift in self.linear.shifts)
         return next(((row, c, scales[row[0]]) for row, c in residual.items()
                      if not self.ring.negligible(c, scales[row[0]])), None)
+
+    def scale(self, order: int) -> float:
+        """The size of what is rounded at this order, see :mod:`ftseries.rounding`."""
+        for j in range(order + 1):
+            if j == order or j not in self.terms:
+                self.terms[j] = _scale(self.expansion, j)
+        return 0 if self.ring.exact else rounding.size([self.terms[j] for j in range(order + 1)])
 
     def refuse(self, k: int, row: tuple[Row, Number, float] | None = None, message: str =
                "equation {name} has no solution at order {order} of λ, mode {mode}: no coefficient "
@@ -263,7 +273,7 @@ class Stages:
     def refuse_ansatz(self, k: int, beyond: bool) -> None:
         """Refuse if coefficients would satisfy the rows that the ansatz or the seed leaves out."""
         update, _ = self.elimination.solve({row: -c for row, c in self.residual(k).items()})
-        scale, ahead = _scale(self.expansion, k), self.problem.ahead
+        scale, ahead = self.scale(k), self.problem.ahead
         wanted = [(column, c) for column, c in update.items()
                   if not self.problem.allowed(column[0], column[2], k)
                   and (beyond and column[2] > k + ahead or not self.ring.negligible(c, scale))]
@@ -291,7 +301,7 @@ class Stages:
 
 
 def _scale(expansion: Expansion, order: int) -> float:
-    """The size of the terms of this order, for the rounding of the float ring."""
+    """The largest term of this order, for the rounding of the float ring."""
     if expansion.ring.exact:
         return 0
     return max((abs(row).max() for node in expansion.nodes if len(node.table) > order

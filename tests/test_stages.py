@@ -47,6 +47,30 @@ def test_a_square_four_orders_late(seed):
     assert omegas(sol) == taylor(sp.sqrt(1 + LAM**4), 16)
 
 
+@pytest.mark.parametrize(("equations", "y", "power"), [
+    (["x'' + x + x*y**2 = 0", "y'' = lam**4*(lam**2 - y)"], "lam**2", 4),
+    (["x'' + x + x*y**2 = 0", "y'' = lam**6*(lam**3 - y)"], "lam**3", 6),
+    (["x'' + x + x*y = 0", "y'' = lam**3*(lam**2 - y)"], "lam**2", 2),
+    (["x'' + x + x*y**2 = 0", "y'' = lam**8*(lam - y)"], "lam", 2)])
+@pytest.mark.parametrize("order", [9, 20])
+def test_floats_where_whole_orders_vanish(equations, y, power, order):
+    """Nothing but rounding is left of the terms there: no reason to refuse.  ω = √(1 + λ^power),
+    to a hundred roundings of 1."""
+    sol = fts.solve(slow(*equations, seed=REST | {"y": y}), order, "float")
+    assert omegas(sol) == pytest.approx(list(map(float, taylor(sp.sqrt(1 + LAM**power), order))),
+                                        abs=1e-14)
+
+
+def test_floats_of_two_slow_variables():
+    """y = λ and z = λ²: ω = √(1 + λ³)."""
+    sol = fts.solve(fts.Equations(
+        ["x'' + x + x*y*z = 0", "y'' = lam**2*(lam - y)", "z'' = lam**4*(lam**2 - z)"],
+        unknowns=SLOW | {"z": Field("cos")}, frequency="omega",
+        seed=REST | {"y": "lam", "z": "lam**2"}), 24, "float")
+    assert omegas(sol) == pytest.approx(list(map(float, taylor(sp.sqrt(1 + LAM**3), 24))),
+                                        abs=1e-14)
+
+
 def test_a_slow_variable_that_depends_on_itself():
     """y = λ + y²/3: Catalan numbers over powers of 3."""
     sol = fts.solve(slow("x'' + x + x*y = 0", "y'' = lam**2*(lam + y**2/3 - y)"), 8)
