@@ -69,6 +69,14 @@ def test_reach_is_where_the_error_passes_the_tolerance(sol):
     assert pictures.reach(sol, [float(CLOSED)], largest=2.5) == 2.5  # no error at all there
 
 
+def test_the_border_has_a_tooth_where_the_error_changes_its_sign(sol):
+    mu = np.linspace(-0.26, -0.22, 17)
+    edge = pictures.reach(sol, mu)
+    signs = np.sign(sol.evaluate("a", lam=edge, mu=mu) - mathieu.eigenvalue(edge, mu))
+    (change,) = np.flatnonzero(np.diff(signs))
+    assert edge.argmax() in (change, change + 1)
+
+
 def test_reach_stays_inside_the_radius_of_convergence_of_dlmf_28_6_1(sol):
     radius = np.sqrt(2 * 3.7699574940)
     low, high = (pictures.reach(sol.truncate(order), [0.0])[0] for order in (20, 99))
