@@ -69,6 +69,7 @@ def test_reach_is_where_the_error_passes_the_tolerance(sol):
     assert pictures.reach(sol, [float(CLOSED)], largest=2.5) == 2.5  # no error at all there
 
 
+@pytest.mark.filterwarnings("ignore::ftseries.ConvergenceWarning")
 def test_the_border_has_a_tooth_where_the_error_changes_its_sign(sol):
     mu = np.linspace(-0.26, -0.22, 17)
     edge = pictures.reach(sol, mu)
