@@ -59,6 +59,7 @@ def alive(order: int = 100) -> Explorer:
         for body, colour in zip(1j * positions(solution, 0.6, lam), BODIES, strict=True):
             ax.plot(body.real, body.imag, "o", color=colour, ms=15)
         ax.set(aspect="equal")
+        ax.margins(0.05, 0.15)
         ax.axis("off")
 
     return Explorer(controls, view, picture(draw),

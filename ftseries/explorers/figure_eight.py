@@ -138,10 +138,10 @@ def _bodies(ax: Axes, sol: Any, lam: float, t: float) -> None:
         start, end = corners[k:k + 2]
         ax.annotate("", (end.real, end.imag), (start.real, start.imag), arrowprops={
             "arrowstyle": "-|>", "color": colour, "lw": 1.8, "shrinkA": 0, "shrinkB": 0})
-        middle, inside = (start + end) / 2, np.delete(corners, [k, k + 1]).mean()
+        place, inside = 0.65 * start + 0.35 * end, np.delete(corners, [k, k + 1]).mean()
         normal = 1j * (end - start) / abs(end - start)
-        away = 13 * normal * np.sign(((middle - inside) * normal.conjugate()).real)
-        ax.annotate(name, (middle.real, middle.imag), (away.real, away.imag),
+        away = 13 * normal * np.sign(((place - inside) * normal.conjugate()).real)
+        ax.annotate(name, (place.real, place.imag), (away.real, away.imag),
                     textcoords="offset points", ha="center", va="center")
     for number, (body, colour) in enumerate(zip(bodies, BODIES, strict=True), 1):
         ax.plot(body.real, body.imag, "o", color=colour, ms=13)
@@ -149,7 +149,7 @@ def _bodies(ax: Axes, sol: Any, lam: float, t: float) -> None:
                     size=9, weight="bold")
     half = 0.15 + max(abs(corners.real).max(), 1.0)
     ax.set(xlabel="$x$", ylabel="$y$", aspect="equal", xlim=(-half, half))
-    ax.legend(loc="lower right", fontsize=8, handlelength=2)
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, fontsize=8, handlelength=2)
 
 
 def _closure(ax: Axes, sol: Any, lam: float) -> None:

@@ -109,7 +109,7 @@ def secular(lam: float = 0.5, order: int = 3) -> Explorer:
             values = solution.evaluate("x", t, lam=lam)
         ax.plot(t, values, color=BLUE, ls="--", lw=1.6, label="Fourier-Taylor")
         ax.set(xlabel="$t$", ylabel="$x(t)$", ylim=(-2.2 * lam, 2.2 * lam))
-        ax.legend(ncols=3, loc="upper left", fontsize=8)
+        ax.legend(ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0))
 
     return Explorer(controls, view, picture(draw),
                     f"An oscillation of amplitude {lam:g} over ten periods. The Taylor series of "

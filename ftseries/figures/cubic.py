@@ -51,7 +51,7 @@ def potential(ax: Axes, lam: float, a: float = 1) -> None:
                     xytext=(8 * side, -18), textcoords="offset points",
                     horizontalalignment="right" if side < 0 else "left")
     ax.plot([2 * a], [energy], "s", label="$x = 2a$, the third root", color=style.GREEN)
-    ax.set(xlabel="$x$", ylabel="$V(x)$")
+    ax.set(xlabel="$x$", ylabel="$V(x)$", xlim=(left - 1.5 * a, 2.3 * a))   # room for x_min
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
 
 

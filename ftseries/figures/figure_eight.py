@@ -112,10 +112,10 @@ def head_to_tail(ax: Axes, relative: ComplexArray, title: str = "") -> None:
     names = (r"$\mathbf{r}_{23}$", r"$\mathbf{r}_{12}$", r"$\mathbf{r}_{31}$")
     for start, end, name in zip(corners, corners[1:], names, strict=False):
         _arrow(ax, start, end, GREY)
-        middle, aside = (start + end) / 2, 11j * (end - start) / abs(end - start)
-        if ((middle - corners.mean()) / aside).real < 0:
+        place, aside = 0.65 * start + 0.35 * end, 11j * (end - start) / abs(end - start)
+        if ((place - corners.mean()) / aside).real < 0:
             aside = -aside
-        ax.annotate(name, (middle.real, middle.imag), (aside.real, aside.imag),
+        ax.annotate(name, (place.real, place.imag), (aside.real, aside.imag),
                     textcoords="offset points", ha="center", va="center")
     ax.set(aspect="equal", title=title)
     ax.margins(0.1)

@@ -64,7 +64,7 @@ def well(ax: Axes, lam: float, mu: float) -> None:
             label=r"$\psi$, on this level")
     _angles(ax, -1, 1, 0.5)
     ax.set_ylabel("energy")
-    ax.legend(loc="upper center", fontsize=8)
+    _legend_above(ax, 3)
 
 
 def bands(ax: Axes, lam: Array, edges: Sequence[Array],
@@ -73,9 +73,9 @@ def bands(ax: Axes, lam: Array, edges: Sequence[Array],
 
     ``points`` are marks at some (λ, a).
     """
-    for low, high in zip(edges[::2], edges[1::2], strict=False):
+    for k, (low, high) in enumerate(zip(edges[::2], edges[1::2], strict=False)):
         ax.fill_between(lam, low, high, color=GREEN, alpha=0.4, linewidth=0,
-                        label="bands" if low is edges[0] else None)
+                        label=None if k else "bands")
     for edge in edges:
         ax.plot(lam, edge, color=GREEN, linestyle="-", linewidth=1)
     for x, y in points:

@@ -52,6 +52,15 @@ def test_every_picture_has_labelled_axes_and_legend(sol):
         assert not hasattr(axes, "get_zlabel") or axes.get_zlabel() == "$a$"
 
 
+def test_legends_name_bands_and_dot_once_and_what_is_in_the_well():
+    lam = np.linspace(0, 1, 5)
+    edges = np.arange(5.0)[:, None] + 0 * lam
+    for axes, names in [(drawn(pictures.bands, lam, edges, [(0.5, 1)]), ["bands", "$a$"]),
+                        (drawn(pictures.well, 1.2, MU),
+                         ["potential", "energy $a$", r"$\psi$, on this level"])]:
+        assert [text.get_text() for text in axes.get_legend().get_texts()] == names
+
+
 def test_error_is_that_of_the_closed_form(sol):
     """At μ = -1/32 the series of a ends, so its error is rounding of the size of a (here ≤ 6)."""
     lam = np.linspace(0, 3, 13)
@@ -67,6 +76,15 @@ def test_reach_is_where_the_error_passes_the_tolerance(sol):
     assert np.all(pictures.error(sol, 0.98 * edge, mu) < 1e-3)
     assert np.all(pictures.reach(sol, mu, tolerance=1e-6) < edge)
     assert pictures.reach(sol, [float(CLOSED)], largest=2.5) == 2.5  # no error at all there
+
+
+@pytest.mark.filterwarnings("ignore::ftseries.ConvergenceWarning")
+def test_the_border_has_a_tooth_where_the_error_changes_its_sign(sol):
+    mu = np.linspace(-0.26, -0.22, 17)
+    edge = pictures.reach(sol, mu)
+    signs = np.sign(sol.evaluate("a", lam=edge, mu=mu) - mathieu.eigenvalue(edge, mu))
+    (change,) = np.flatnonzero(np.diff(signs))
+    assert edge.argmax() in (change, change + 1)
 
 
 def test_reach_stays_inside_the_radius_of_convergence_of_dlmf_28_6_1(sol):
