@@ -32,11 +32,14 @@ from mpmath.libmp import (
 from .aliases import Array, Exact
 from .errors import InputError
 
-__all__ = ["DIGITS", "computed", "decimal", "labelled", "quotient", "rational", "real", "scalar",
-           "scalars", "shown", "whole"]
+__all__ = ["DIGITS", "MOST_BITS", "MOST_DERIVATIVES", "MOST_DPS", "computed", "decimal",
+           "labelled", "objects", "quotient", "rational", "real", "scalar", "scalars", "shown",
+           "whole"]
 
 #: digits that a number may have, and the power of ten in which it may be written
 DIGITS = 1000
+#: decimal digits, bits and derivatives that a value can be asked with
+MOST_DPS, MOST_BITS, MOST_DERIVATIVES = 100_000, 2**20, 100
 #: what NumPy and Python would turn into a real number, although it is none
 _UNREAL = (bool, np.bool_, complex, np.complexfloating, np.datetime64, np.timedelta64)
 
@@ -191,7 +194,7 @@ def real(name: str, value: Any) -> Array:
     except OverflowError:
         raise InputError(f"{name}={shown(value)} is beyond the floats; give numbers up to 1e308 in "
                          "size") from None
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, ZeroDivisionError):
         raise InputError(f"{name}={shown(value)} is not a real number or an array of them"
                          ) from None
     if not np.isfinite(array).all():
@@ -199,11 +202,24 @@ def real(name: str, value: Any) -> Array:
     return array
 
 
-def _floats(value: Any) -> Array:
+def objects(name: str, value: Any) -> Any:
+    """``value`` as an array of the numbers that it holds, none of them masked."""
+    try:
+        _check_mask(value)
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from None
+    return np.asarray(value, object)
+
+
+def _check_mask(value: Any) -> None:
     if np.ma.is_masked(value) or isinstance(value, (list, tuple)) and any(
             map(np.ma.is_masked, value)):
         raise InputError("some of its entries are masked; give those that are not, such as "
                          "x.compressed()")
+
+
+def _floats(value: Any) -> Array:
+    _check_mask(value)
     array = np.asarray(value)
     if array.dtype.kind not in "iuf":
         return np.array([_float(x) for x in array.ravel()], dtype=float).reshape(array.shape)
@@ -219,6 +235,8 @@ def _float(x: Any) -> float:
         raise TypeError
     if x is None:
         return math.nan
+    if isinstance(x, str) and "/" in x:
+        x = Fraction(x)
     number = float(_exactly(x))
     if math.isinf(number) and (x != number if not isinstance(x, str) else re.search(r"\d", x)):
         raise OverflowError

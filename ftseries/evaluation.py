@@ -8,6 +8,7 @@ Formula.  u(t; λ) = Re Σ_n (A_n(λ) - i B_n(λ)) z^n with z = e^{iωt}, A_n(λ
 from __future__ import annotations
 
 import sys
+import unicodedata
 import warnings
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -16,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .aliases import Array, ArrayLike, Mode, Real
-from .arguments import real, shown, whole
+from .arguments import MOST_DERIVATIVES, real, shown, whole
 from .errors import ConvergenceWarning, InputError
 from .problem import Scalar
 
@@ -105,14 +106,16 @@ def unknown(problem: Problem, name: str) -> Field | Scalar:
     try:
         return problem.unknowns[name]
     except (KeyError, TypeError):
+        written = unicodedata.normalize("NFKC", name) if isinstance(name, str) else name
+        advice = "evaluate(…, derivative=1) gives velocities" if written == name else (
+            f"names are written as Python writes them (NFKC), this one {written!r}")
         raise InputError(f"{name!r} is not an unknown of {problem!r}; it has "
-                         f"{', '.join(map(repr, problem.unknowns))}; evaluate(…, derivative=1) "
-                         "gives velocities") from None
+                         f"{', '.join(map(repr, problem.unknowns))}; {advice}") from None
 
 
 def times(problem: Problem, name: str, t: ArrayLike | None, order: int) -> ArrayLike:
     """The times at which an unknown is asked, 0 for a scalar; refuses what cannot be meant."""
-    whole("derivative", order)
+    whole("derivative", order, most=MOST_DERIVATIVES)
     if isinstance(unknown(problem, name), Scalar):
         if t is not None or order:
             raise InputError(f"{name!r} does not depend on time; leave "

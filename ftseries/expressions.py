@@ -135,6 +135,7 @@ def parsed(text: str) -> ast.expr:
         It is no expression.
     """
     _bound(len(text), LENGTH, "characters in the text")
+    text = unicodedata.normalize("NFC", text)              # a letter and its accent are one
     foreign = _FOREIGN.search(text)
     if foreign:
         raise SyntaxError(foreign.group())

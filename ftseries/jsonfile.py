@@ -34,12 +34,16 @@ def write(path: FilePath, kind: str, data: dict[str, Json]) -> None:
     Raises
     ------
     FileError
-        ``path`` is no path, or its folder does not exist or cannot be written; the data are too
-        large to be read again.
+        ``path`` is no path, or a device or a pipe is there, or its folder does not exist or cannot
+        be written; the data are too large to be read again.
     TypeError, ValueError
         The data are no plain JSON values.
     """
     path = _name(path)
+    if os.path.exists(path) and not (os.path.isfile(path) or os.path.isdir(path)):
+        raise FileError(f"cannot write {path!r}: a device or a pipe is there, which a file would "
+                        "replace; choose another place")
+    path = os.path.realpath(path)                                   # a link stays, its file is new
     data = {"format": kind, "version": 1} | data
     text = json.dumps(data | {"sha256": digest(data)})
     if len(text) > LARGEST:

@@ -42,7 +42,7 @@ class Failure:
         return False
 
     def __repr__(self) -> str:
-        return f"<no solution at {self.value!r}: {type(self.error).__name__}: {self.error}>"
+        return f"<no solution at {self.value!r}: {_text(self.error)}>"
 
 
 def sweep(make_problem: Callable[[Any], Problem], values: Iterable[Any], order: int,
@@ -244,7 +244,11 @@ def _portable(error: Exception) -> Exception:
 
 
 def _as_text(error: BaseException) -> Exception:
+    return RuntimeError(_text(error))
+
+
+def _text(error: BaseException) -> str:
     try:
-        return RuntimeError(f"{type(error).__name__}: {error}")
+        return f"{type(error).__name__}: {error}"
     except Exception:                                # its own __str__ fails
-        return RuntimeError(type(error).__name__)
+        return type(error).__name__

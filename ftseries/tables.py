@@ -5,6 +5,7 @@ The methods of this class belong to :class:`ftseries.Solution`.
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Callable, Mapping
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -63,7 +64,9 @@ class Tables:
         if set(parameters) != wanted:
             needs = ", ".join(f"{p}=…" for p in sorted(wanted)) or "no parameters besides t and lam"
             given = ", ".join(sorted(parameters)) or "none"
-            raise InputError(f"{self.problem!r} needs {needs}; given: {given}")
+            other = "" if all(unicodedata.is_normalized("NFKC", p) for p in parameters) else (
+                "; names are written as Python writes them (NFKC)")
+            raise InputError(f"{self.problem!r} needs {needs}; given: {given}{other}")
 
     def _point(self, parameters: Mapping[str, Any]) -> list[fmpq]:
         """The values of the free parameters, in their order, as rationals."""

@@ -15,7 +15,7 @@ from flint import arb, fmpq
 
 from . import enclosure, evaluation
 from .aliases import Array, ArrayLike, Exact, Real
-from .arguments import computed, decimal, rational, whole
+from .arguments import MOST_BITS, MOST_DPS, computed, decimal, objects, rational, whole
 from .doubt import Place, digits, front
 from .errors import ConvergenceWarning, InputError, PrecisionWarning
 from .precision import working
@@ -139,9 +139,10 @@ class Values(Tables):
             raise InputError("float coefficients have errors that nobody knows; solve with "
                              "arithmetic='exact' or 'ball' for values in balls")
         t = evaluation.times(self.problem, name, t, derivative)
-        evaluation.fitting({"t": np.asarray(t, object), "lam": np.asarray(lam, object)})
+        evaluation.fitting({"t": objects("t", t), "lam": objects("lam", lam)})
         self._check_parameters(parameters)
-        bits = whole("precision", self.precision or 128 if precision is None else precision, 2)
+        bits = whole("precision", self.precision or 128 if precision is None else precision, 2,
+                     max(MOST_BITS, self.precision or 0))
         point = [decimal(parameters[p]) for p in self.problem.parameters]
         return self._enclosed(name, t, lam, derivative, point, bits, decimal)[0]
 
@@ -198,7 +199,7 @@ class Values(Tables):
                      parameters: Mapping[str, Any], reasons: Reasons) -> Any:
         if any(np.ndim(value) for value in parameters.values()):
             raise InputError(f"with dps, give one value of {', '.join(parameters)} at a time")
-        bits = math.ceil(whole("dps", dps, 1) * math.log2(10)) + 32
+        bits = math.ceil(whole("dps", dps, 1, MOST_DPS) * math.log2(10)) + 32
         point = self._point(parameters)
         for _ in range(2 if self.arithmetic == "ball" else _DOUBLINGS):
             values, sizes = self._enclosed(name, t, lam, order, point, bits, computed)
@@ -225,13 +226,14 @@ class Values(Tables):
               reasons: Reasons) -> bool:
         """Add what is to be said, one sentence of each kind; is any phase late?
 
-        First at the extreme λ and the latest time, and if there is anything, where these meet.
+        First at the extreme λ, the larger one before, and the latest time; if there is anything,
+        where these meet.
         """
         if not lam.size or not t.size:
             return False
         latest = float(np.max(np.abs(t)))
         places = [self._place(name, each, latest, derivative, parameters)
-                  for each in sorted({float(lam.min()), float(lam.max())})]
+                  for each in sorted({float(lam.min()), float(lam.max())}, key=abs, reverse=True)]
         found = self._said(places)
         if found and lam.ndim and t.ndim:
             found = self._said([self._place(name, *pair, derivative, parameters)

@@ -108,3 +108,12 @@ def test_floats_have_no_ball():
     solution = fts.solve(fts.CubicOscillator(), 4, "float")
     with pytest.raises(InputError, match="arithmetic='exact' or 'ball'"):
         solution.enclosure("omega", lam=0.1)
+
+
+def test_of_many_places_the_worst_is_told():
+    """At λ = 2.7 nothing is left of what λ = 0.5 has."""
+    sol = fts.solve(fts.CubicOscillator(), 60, "ball", precision=53)
+    with pytest.warns(fts.PrecisionWarning, match="leave 0 of 15 digits"):
+        sol.evaluate("omega", lam=[0.5, 2.7])
+    with pytest.warns(fts.PrecisionWarning, match="leave 0 of 15 digits"):
+        sol.evaluate("omega", lam=[-2.7, 0.5])

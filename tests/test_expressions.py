@@ -265,6 +265,24 @@ def test_names_are_those_of_python(key, name):
     assert name_of(key) == name
 
 
+def test_a_letter_and_its_accent_are_one():
+    """As Python reads a name that is typed in two characters."""
+    unknowns = {"e\u0301": fts.Field("cos", fixed=(1,)), "omega": fts.Scalar()}
+    sol = fts.solve(fts.Equations("e\u0301'' + e\u0301 + e\u0301**3 = 0", unknowns=unknowns,
+                                  frequency="omega"), 2)
+    assert sol.coefficient("\u00e9", 1, 1) == 1 and sol.coefficient("omega", 2) == sp.Rational(3, 8)
+
+
+def test_another_spelling_of_a_name_is_told():
+    problem = fts.Equations("ϕ'' + ϕ + µ*ϕ**3 = 0", unknowns={
+        "ϕ": fts.Field("cos", fixed=(1,)), "omega": fts.Scalar()}, frequency="omega",
+        parameters=("µ",))
+    sol = fts.solve(problem, 2)
+    refused(lambda: sol.coefficient("ϕ", 1, 1), "as Python writes them (NFKC), this one 'φ'")
+    refused(lambda: sol.evaluate("omega", lam=0.1, **{"µ": 1}), "as Python writes them (NFKC)")
+    assert sol.evaluate("omega", lam=0.1, µ=1) == sol.evaluate("omega", lam=0.1, μ=1)
+
+
 def test_two_spellings_of_one_name():
     refused(lambda: by_name({"µ": 1, "μ": 2}), "μ is given twice")
 

@@ -238,3 +238,27 @@ def test_an_interval_has_two_ends_in_order(search):
 def test_modes_are_whole_numbers(fixed):
     with pytest.raises(fts.InputError, match="^fixed="):
         fts.Field("both", fixed=fixed)
+
+
+@pytest.mark.parametrize("size", [10**6, 10**9, 10**18, 10**400])
+def test_nobody_asks_for_so_many_digits_bits_or_derivatives(cubic, size):
+    """The libraries would end the process, or never end."""
+    for ask in ({"dps": size}, {"t": 0, "derivative": size}):
+        with pytest.raises(fts.InputError, match="give a whole number from"):
+            cubic.evaluate("x" if "t" in ask else "omega", lam=0.5, **ask)
+    with pytest.raises(fts.InputError, match="give a whole number from"):
+        cubic.enclosure("omega", lam=0.5, precision=10 * size)
+    with pytest.raises(fts.InputError, match="give a whole number from"):
+        reference.frequency(1, 0.5, dps=size)
+
+
+def test_a_quotient_is_a_number_wherever_it_stands(cubic):
+    assert cubic.evaluate("omega", lam="1/2") == cubic.evaluate("omega", lam=0.5)
+    for text in ("1/0", "1/x", "1/2/3"):
+        with pytest.raises(fts.InputError, match="lam='.*' is not a real number"):
+            cubic.evaluate("omega", lam=text)
+
+
+def test_a_ball_of_a_masked_number_is_none(cubic):
+    with pytest.raises(fts.InputError, match="^lam: some of its entries are masked"):
+        cubic.enclosure("omega", lam=np.ma.array([0.1, 0.2], mask=[0, 1]))

@@ -688,3 +688,21 @@ def test_no_sample_problem_is_refused(tmp_path, kind, arithmetic):
     for order in (0, 1, 2, 5, 9, 17, 18):
         solution.truncate(order).save(tmp_path / "s.json")
         assert fts.load(tmp_path / "s.json", problem=kind()).order == order
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no named pipes")
+def test_what_is_no_file_is_not_replaced(tmp_path):
+    """As /dev/null would be, where the rights allow it."""
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    with pytest.raises(FileError, match="a device or a pipe is there"):
+        fts.solve(Duffing(), 3).save(pipe)
+    assert pipe.is_fifo()
+
+
+def test_a_link_stays_and_its_file_is_written(tmp_path):
+    folder, link = tmp_path / "real", tmp_path / "link.json"
+    folder.mkdir()
+    link.symlink_to(folder / "file.json")
+    fts.solve(Duffing(), 3).save(link)
+    assert link.is_symlink() and fts.load(folder / "file.json").order == fts.load(link).order == 3

@@ -74,6 +74,7 @@ def check(found, names):
         if value in names:
             assert not one and one.value == value and isinstance(one.error, Exception)
             repr(one.error)
+            assert type(one.error).__name__ in repr(one)
         else:
             assert one.coefficient("omega", 0) ** 2 == 12 * value
 

@@ -9,7 +9,7 @@ import mpmath
 import numpy as np
 from flint import fmpq
 
-from ftseries.arguments import decimal, shown, whole
+from ftseries.arguments import MOST_DPS, decimal, shown, whole
 from ftseries.errors import InputError
 from ftseries.precision import working
 
@@ -49,7 +49,7 @@ def in_digits(dps: Any, function: Callable[..., Any], *arguments: Any) -> Any:
     >>> mpmath.nstr(in_digits(20, mpmath.sqrt, 2), 20)
     '1.4142135623730950488'
     """
-    dps = whole("dps", dps, 1)
+    dps = whole("dps", dps, 1, MOST_DPS)
     with working(digits=dps):
         with working(digits=dps + GUARD):
             value = function(*arguments)

@@ -20,7 +20,7 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from ftseries.arguments import whole
+from ftseries.arguments import MOST_DPS, whole
 from ftseries.errors import InputError
 from ftseries.precision import working
 from ftseries.references import newton
@@ -40,7 +40,7 @@ def hill_monodromy(a: Any, lam: Any, mu: Any = 0, end: Any = None, dps: int = 30
     [ 0.0  2.0]
     [-0.5  0.0]
     """
-    with working(digits=whole("dps", dps, 1) + GUARD):
+    with working(digits=whole("dps", dps, 1, MOST_DPS) + GUARD):
         a, lam, mu = number("a", a), number("lam", lam), number("mu", mu)
         end = +mpmath.pi if end is None else number("end", end)
         steps = max(1, math.ceil(abs(end) * STEPS))

@@ -28,7 +28,7 @@ from scipy import special
 from scipy.integrate import solve_ivp
 
 from ftseries.aliases import ArrayLike
-from ftseries.arguments import real, whole
+from ftseries.arguments import MOST_DERIVATIVES, real, whole
 from ftseries.errors import InputError
 from ftseries.precision import working
 from ftseries.references._digits import GUARD, in_digits, number
@@ -91,7 +91,8 @@ def eigenfunction(x: Any, lam: Any, mu: Any = 0, index: int = 0, derivative: int
     """
     c = sine_coefficients(lam, mu, index)
     n = 1 + 2 * np.arange(c.shape[-1])
-    phase = real("x", x)[..., None] * n + whole("derivative", derivative) * np.pi / 2
+    whole("derivative", derivative, most=MOST_DERIVATIVES)
+    phase = real("x", x)[..., None] * n + derivative * np.pi / 2
     return np.sum(c * n**float(derivative) * np.sin(phase), axis=-1)
 
 

@@ -27,7 +27,7 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from ftseries.arguments import real, whole
+from ftseries.arguments import MOST_DERIVATIVES, MOST_DPS, real, whole
 from ftseries.precision import working
 from ftseries.references._digits import GUARD, number
 from ftseries.references.three_bodies import (
@@ -93,7 +93,7 @@ def figure_eight(t: Any, derivative: int = 0, dps: int | None = None) -> Any:
     >>> abs(figure_eight(np.pi / 6)).round(4)  # body 1 at the end of the eight, 2 and 3 alike
     array([1.0761, 0.6385, 0.6385])
     """
-    derivative, c = whole("derivative", derivative), _coefficients(dps)
+    derivative, c = whole("derivative", derivative, most=MOST_DERIVATIVES), _coefficients(dps)
     with _precision(dps):
         pi, sin, _, _, times = _arithmetic(dps)
         shifts = np.array([-1, 1, 0]) * (2 * pi / 3)
@@ -187,4 +187,4 @@ def _arithmetic(dps: int | None) -> _Arithmetic:
 
 
 def _precision(dps: int | None) -> AbstractContextManager[Any]:
-    return nullcontext() if dps is None else working(digits=whole("dps", dps, 1) + GUARD)
+    return nullcontext() if dps is None else working(digits=whole("dps", dps, 1, MOST_DPS) + GUARD)

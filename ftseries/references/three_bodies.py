@@ -22,7 +22,7 @@ import mpmath
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from ftseries.arguments import real, whole
+from ftseries.arguments import MOST_DPS, real, whole
 from ftseries.errors import InputError
 from ftseries.precision import working
 from ftseries.references._digits import GUARD, number
@@ -103,7 +103,7 @@ def integrate_taylor(t: Any, positions: Any, velocities: Any, dps: int | None = 
     if dps is None:
         state = _state(positions, velocities).astype(complex)
         return _both_directions(_taylor_run(24, 1e-18, exponent), real("t", t), state)
-    with working(digits=whole("dps", dps, 1) + GUARD):
+    with working(digits=whole("dps", dps, 1, MOST_DPS) + GUARD):
         run = _taylor_run(dps + 20, mpmath.mpf(10) ** -(dps + GUARD), exponent)
         times = _map(lambda x: number("t", x), t)
         return _both_directions(run, times, _map(mpmath.mpc, _state(positions, velocities)))
