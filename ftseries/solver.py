@@ -49,7 +49,8 @@ def solve(problem: Problem, order: int, arithmetic: str = "exact", precision: in
         The highest power of λ, at least 0.
     arithmetic : "exact", "float" or "ball"
         Rational numbers (polynomials in the problem's parameters), float64, or real balls that
-        enclose the exact coefficients.
+        enclose the exact coefficients.  Floats are right to the rounding of the largest mode of
+        their order: a mode that is much smaller keeps fewer digits, or none.
     precision : int
         Bits of a ball; used by ``"ball"`` only.
     progress : bool

@@ -228,7 +228,7 @@ def test_a_scalar_has_no_sines(cubic):
         cubic.coefficient("x", 2, 2, sine="no")
 
 
-@pytest.mark.parametrize("search", [(4, 0), (2, 2), (0, 4j), (0, np.inf), 3])
+@pytest.mark.parametrize("search", [(4, 0), (2, 2), (0, 4j), (0, np.inf), 3, (0, 1e9)])
 def test_an_interval_has_two_ends_in_order(search):
     with pytest.raises(fts.InputError, match="^search"):
         fts.figure_eight.closure_zero(fts.solve(fts.FigureEight(), 6), search=search)

@@ -30,7 +30,8 @@ def check_digits(data: dict[str, Json]) -> str:
     """What the certificate proves, as a sentence, or :class:`ftseries.certify.NotProved`."""
     record(data, "theorem digits decimals eight bits distance lam unknowns")
     digits, distance = whole(data["digits"], 1, 4000), number(data["distance"])
-    record(data["decimals"], "lambda_0 x_1 y_1 vx_3 vy_3 energy")
+    decimals = {name: cut(text, digits) for name, text in record(
+        data["decimals"], "lambda_0 x_1 y_1 vx_3 vy_3 energy").items()}
     theorem = dict(data["eight"])
     with working(bits=min(whole(theorem.pop("precision"), 53, MOST_BITS), ctx.prec)):
         eight = prove(theorem)
@@ -58,7 +59,7 @@ def check_digits(data: dict[str, Json]) -> str:
     require(lam.contains(lambda_zero(part, square, defect, v.norm(), distance)),
             "the enclosure of λ₀")
     for name, x in {"lambda_0": lam, **_state(part, distance, eight.nu)}.items():
-        require(_begins(x, data["decimals"][name], digits), f"the decimals of {name}")
+        require(_begins(x, decimals[name], digits), f"the decimals of {name}")
     exponent = (distance.log() / arb(10).log()).upper().ceil().unique_fmpz()
     return (f"Checked. The {digits} digits of λ₀, of the initial values and of the energy of the "
             f"figure eight in the file are those of the true eight, and its {len(u)} Fourier "
@@ -116,9 +117,9 @@ def _state(part: list[Laurent], distance: arb, nu: arb) -> dict[str, arb]:
             "energy": energy}
 
 
-def _begins(x: arb, text: Json, digits: int) -> bool:
+def _begins(x: arb, decimals: tuple[bool, fmpz], digits: int) -> bool:
     """Whether every number in the ball x has these decimals."""
-    negative, claimed = cut(text, digits)
+    negative, claimed = decimals
     low, high = (arb(c) / arb(10) ** digits for c in (claimed, claimed + 1))
     size = -x if negative else x
     return bool(size >= low and size < high)

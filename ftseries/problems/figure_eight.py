@@ -33,6 +33,9 @@ from ..series import cos, sin
 __all__ = ["FigureEight", "LemniscateEight", "PlanarEight", "relative", "positions", "closure",
            "closure_zero"]
 
+#: the longest interval in which a zero of the closure is searched, in steps of 0.01
+_SEARCH = 8
+
 
 class FigureEight(Problem):
     """The family of periodic solutions of (E3a), (E3b); physical where the closure (E4) vanishes.
@@ -240,6 +243,12 @@ def closure(sol: Any, lam: ArrayLike) -> Real:
 def closure_zero(sol: Any, search: tuple[float, float] = (0.0, 4.0)) -> float:
     """λ_n of the paper: the smallest positive zero of :func:`closure` for this truncation.
 
+    Parameters
+    ----------
+    sol : Solution
+    search : pair of numbers
+        The two ends of an interval of λ, at most 8 apart.
+
     Raises
     ------
     FTSeriesError
@@ -257,6 +266,9 @@ def closure_zero(sol: Any, search: tuple[float, float] = (0.0, 4.0)) -> float:
     if not low < high:
         raise InputError(f"search={search!r}: give the two ends of an interval, the lower one "
                          "first")
+    if high - low > _SEARCH:
+        raise InputError(f"search={search!r}: give an interval of length {_SEARCH} at most; in a "
+                         "longer one the steps of the search pass over zeros")
     lam = np.linspace(low, high, 801)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ConvergenceWarning)       # the search goes past the zero

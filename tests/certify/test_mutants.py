@@ -9,6 +9,7 @@ from certify import mutants
 from certify.altering import REFUSED
 
 from ftseries.certify import NotProved, certificate, check, grammar
+from ftseries.certify.digits import STORED
 from ftseries.errors import FileError
 
 #: so many of each, by name: a check of the last two takes a second
@@ -86,6 +87,17 @@ def test_several_entries(name, tmp_path):
     with pytest.raises((NotProved, FileError), match=REFUSED):
         check(tmp_path / "x.json")
     assert time.perf_counter() - start < 5
+
+
+def test_a_decimal_out_of_form_is_refused_before_the_proof(tmp_path):
+    """The proof of a thousand digits takes ten seconds."""
+    data = certificate.read(STORED)
+    data["decimals"]["energy"] += " "
+    certificate.write(tmp_path / "x.json", data)
+    start = time.process_time()
+    with pytest.raises(FileError, match="is not cut after 1000 digits"):
+        check(tmp_path / "x.json")
+    assert time.process_time() - start < 2
 
 
 def test_a_theorem_in_other_units_is_true(tmp_path):
