@@ -238,7 +238,8 @@ def test_other_forces_against_taylor_series_in_time(other_eight):
     assert np.abs(m - motion.matrix).max() < 1e-9 * np.abs(m).max()
 
 
-@pytest.mark.parametrize("bodies, words", [(3, "two of the bodies meet"), (1, "two bodies or more")])
+@pytest.mark.parametrize("bodies, words", [(3, "two of the bodies meet"),
+                                           (1, "two bodies or more")])
 def test_bodies_at_rest_in_one_place_are_refused(bodies, words):
     """The integration of their disturbances would never end."""
     with pytest.raises(fts.InputError, match=words):
