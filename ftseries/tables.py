@@ -151,6 +151,8 @@ class Tables:
         A ball around 0 may be a term.
         """
         orders = self._orders(name, parameters)
+        if not orders.size and not self._stays_zero(parameters):
+            return False
         last = int(orders[-1]) if orders.size else -1
         quiet = self.order - last
         later = (number for row in self.coefficients[name][last + 1:] for number in row.values())
@@ -164,6 +166,22 @@ class Tables:
         """The largest gap between terms of any unknown that has at least three; 0 without one."""
         found = [self._orders(name, parameters) for name in self.problem.unknowns]
         return max((int(np.diff(orders).max()) for orders in found if orders.size > 2), default=0)
+
+    def _stays_zero(self, parameters: Point) -> bool:
+        """Do as many equations hold as there are unknowns without any term, whatever the others?
+
+        Else such an unknown may begin at the next order.
+        """
+        zero = [name for name in self.problem.unknowns
+                if not self._orders(name, parameters).size]
+        sums = {name: {mode: 1.1 * a for mode, a in evaluation.amplitudes(
+            self._table(name, parameters), _TRIAL).items()} for name in self.problem.unknowns}
+        try:
+            with np.errstate(all="ignore"):
+                rest = list(residuals(self.problem, sums, _TRIAL, dict(parameters)).values())
+        except FTSeriesError:
+            return False
+        return sum(each <= _VANISHES * max(rest) for each in rest) >= len(zero)
 
     def _is_finite(self, parameters: Point) -> bool:
         """Do the sums satisfy the equations as they are, and not if they are all changed a bit?"""

@@ -475,3 +475,16 @@ def test_coefficients_beyond_the_floats_are_refused():
 def test_a_float_solution_that_leaves_the_floats_says_so():
     with pytest.raises(fts.SolveError, match="leave the floats at order 16. of λ; stay below"):
         fts.solve(Weak(), 200, arithmetic="float")
+
+
+@pytest.mark.parametrize("second, zero", [("y'' + 5*y = x**12", False), ("y'' + 5*y + y**3", True)])
+def test_an_unknown_without_terms_is_zero_only_if_its_equation_says_so(second, zero):
+    """y = O(λ¹²) is not 0, although nine orders of it are."""
+    sol = fts.solve(fts.Equations(["x'' + x + x**3/10 + x*y**2 = 0", second], unknowns={
+        "x": fts.Field("cos", fixed=(1,)), "y": fts.Field("cos"), "omega": fts.Scalar()},
+        frequency="omega"), 8)
+    assert (sol.resum().error("y", 1.0) == 0) == zero
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        assert sol.evaluate("y", 0, lam=1.0) == 0
+    assert [w.category for w in caught] == [fts.ConvergenceWarning] * (not zero)

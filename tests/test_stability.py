@@ -236,3 +236,11 @@ def test_other_forces_against_taylor_series_in_time(other_eight):
     m = floquet.figure_eight_monodromy([z[:, 0], v[:, 0]], alpha)
     # rounding of the initial values times the growth of disturbances
     assert np.abs(m - motion.matrix).max() < 1e-9 * np.abs(m).max()
+
+
+@pytest.mark.parametrize("bodies, words", [(3, "two of the bodies meet"),
+                                           (1, "two bodies or more")])
+def test_bodies_at_rest_in_one_place_are_refused(bodies, words):
+    """The integration of their disturbances would never end."""
+    with pytest.raises(fts.InputError, match=words):
+        stability.bodies(lambda t: np.zeros((bodies, *np.shape(t)), complex))

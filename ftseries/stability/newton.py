@@ -120,8 +120,10 @@ def bodies(positions: Callable[[Array], ComplexArray], period: float = 2 * np.pi
     """
     period = scalar("period", period)
     samples = np.asarray(positions(period * np.arange(_SAMPLES) / _SAMPLES))
-    if samples.ndim != 2 or samples.shape[-1] != _SAMPLES or not np.isfinite(samples).all():
-        raise InputError("positions(t) must be finite complex numbers of shape (bodies,) + t.shape")
+    if (samples.ndim != 2 or len(samples) < 2 or samples.shape[-1] != _SAMPLES
+            or not np.isfinite(samples).all()):
+        raise InputError("positions(t) must be finite complex numbers of shape (bodies,) + t.shape"
+                         " for two bodies or more")
     modes = np.fft.fft(samples) / _SAMPLES
     size = np.abs(modes).max()
     if np.abs(modes[:, _SAMPLES // 3:-_SAMPLES // 3]).max() > 1e-11 * size:
@@ -129,7 +131,7 @@ def bodies(positions: Callable[[Array], ComplexArray], period: float = 2 * np.pi
                          f"coefficients do not end before order {_SAMPLES // 3}")
     keep = np.abs(modes).max(axis=0) > 1e-17 * size
     modes, rate = modes[:, keep], 2j * np.pi * np.fft.fftfreq(_SAMPLES, period / _SAMPLES)[keep]
-    if np.abs(samples[:, None] - samples)[~np.eye(len(samples), dtype=bool)].min() < 1e-6 * size:
+    if np.abs(samples[:, None] - samples)[~np.eye(len(samples), dtype=bool)].min() <= 1e-6 * size:
         raise InputError("two of the bodies meet: the force has no direction there")
 
     n = 2 * len(modes)
