@@ -162,11 +162,13 @@ function frame(plot, [halfX, halfY]) {
   plot.y.range = [-height / 2 / scale, height / 2 / scale];
 }
 
-/** The gap of the verdict is the one at t = 0, as in the paper; this order lets it vary so much. */
+/** The verdict is on Sₓ at t = 0, as in the paper; |S|, with its y, varies so much at this order. */
 function describe(order, lam, S, sizes) {
   const [least, most] = sizes.map((size) => size.toFixed(3));
-  const range = least === most ? "at all times" : `at t = 0, between ${least} and ${most} in a period`;
-  return `order ${order}, λ = ${lam.toFixed(3)}, gap ${Math.abs(S).toFixed(3)} ${range}: ${verdict(S)}.`;
+  const gaps = least === most
+    ? `gap ${most} at all times`
+    : `Sₓ = ${S.toFixed(3).replace("-", "−")} at t = 0, gap between ${least} and ${most} in a period`;
+  return `order ${order}, λ = ${lam.toFixed(3)}, ${gaps}: ${verdict(S)}.`;
 }
 
 function samples(series) {
