@@ -109,6 +109,19 @@ def test_the_chain_closes_at_the_zero(javascript, explorer):
     assert abs(found[1]) < 1e-13
 
 
+def test_the_sentence_tells_the_closure_from_the_gap(javascript, explorer, solution):
+    """At order 13, λ = 2.3, |S_x(0)| is below the least |S|: S has a y, too."""
+    text = javascript(EIGHT + """
+        output = describe(13, 2.3, eight.closure(2.3, 13), eight.gaps(2.3, 13));
+        """, {"data": explorer.view.data})
+    times = np.linspace(0, 2 * np.pi, 240, endpoint=False)
+    with pytest.warns(fts.ConvergenceWarning):
+        S = fts.figure_eight.relative(solution.truncate(13), times, 2.3).sum(axis=0)
+    assert abs(S[0].real) < abs(S).min()
+    assert (f"Sₓ = −{-S[0].real:.3f} at t = 0, gap between {abs(S).min():.3f} and "
+            f"{abs(S).max():.3f} in a period") in text
+
+
 def test_controls_are_tied_to_the_view(explorer):
     view, controls = explorer.view, explorer.controls
     assert set(controls) == {"λ", "order", "t", "speed", "Play", "Set λ = λₙ"}
