@@ -65,3 +65,10 @@ def test_paper_is_left_alone():
     before = paragraph.pformat()
     punctuation.glue(SimpleNamespace(builder=SimpleNamespace(format="latex")), page(paragraph), "a")
     assert paragraph.pformat() == before
+
+
+def test_the_button_of_a_fold_is_called_what_it_shows():
+    context = {"body": '<summary aria-label="Toggle hidden content"><p>Show the code</p>'}
+    folds.say_what_is_shown(None, "", "", context, None)
+    assert context["body"] == "<summary><p>Show the code</p>"
+    folds.say_what_is_shown(None, "", "", {}, None)

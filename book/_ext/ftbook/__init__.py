@@ -48,6 +48,7 @@ def setup(app):
     app.connect("doctree-resolved", latex.prepare)
     app.connect("doctree-resolved", punctuation.glue)
     app.connect("source-read", slides.mark_cells)
+    app.connect("html-page-context", folds.say_what_is_shown)
     app.connect("html-page-context", site.tidy_tags, priority=600)
     app.connect("html-page-context", site.keep_first, priority=700)
     app.connect("html-page-context", slides.cut, priority=600)
