@@ -91,7 +91,7 @@ def visit(browser):
         if clean:
             pages.append(watched)
         page.on("console", watched.hear)
-        page.on("pageerror", lambda error: watched.said.append(f"error: {error}"))
+        page.on("pageerror", watched.fail)
         context.on("request", lambda request: watched.asked.append(request.url))
         page.goto(url)
         page.watched = watched

@@ -42,6 +42,11 @@ def served(folder):
         server.shutdown()
 
 
+# A page took longer than 2 s to begin: only a kernel's messages would wait for it, and a script
+# that fails is told in other words, on the console.
+LATE = "[anywidget] Failed to initialize model."
+
+
 @dataclass
 class Watched:
     """A page, with what it wrote to the console and what it asked for."""
@@ -55,6 +60,10 @@ class Watched:
         url = message.location["url"]
         if message.type in ("warning", "error") and not message.text.startswith(KNOWN):
             self.said.append(f"{message.type}: {message.text} ({url})")
+
+    def fail(self, error):
+        if LATE not in str(error):
+            self.said.append(f"error: {error}")
 
     def is_local(self, url):
         return url.startswith((self.home, "blob:", "data:", "about:"))
