@@ -3,14 +3,13 @@
 ``make test`` tries 300 texts, always the same; ``FTSERIES_FUZZ=10000`` that many, new ones.
 """
 
-import contextlib
 import os
-import signal
 import time
 from collections import Counter
 
 import pytest
 import sympy as sp
+from fuzz import Hung, limited
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 from sympy.core.function import AppliedUndef
@@ -34,27 +33,6 @@ def report():
     yield
     if TRIES:
         print("\n", dict(COUNTS))
-
-
-class Hung(BaseException):
-    """No Exception, so that nothing swallows it."""
-
-
-@contextlib.contextmanager
-def limited(seconds):
-    """Stops after so many seconds of computing, on machines that can."""
-    def stop(*_):
-        raise Hung
-    if not hasattr(signal, "SIGVTALRM"):
-        yield
-        return
-    before = signal.signal(signal.SIGVTALRM, stop)
-    signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
-    try:
-        yield
-    finally:
-        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
-        signal.signal(signal.SIGVTALRM, before)
 
 
 def outcome(call):

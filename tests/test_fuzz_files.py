@@ -3,7 +3,9 @@
 `make test` tries 150 of them, `make fuzz` some thousands.
 """
 
+import contextlib
 import json
+import signal
 import warnings
 from pathlib import Path
 
@@ -31,7 +33,7 @@ def path(tmp_path_factory):
 def test_a_file_is_refused_or_holds_a_solution(path, text):
     """What is loaded is what solving the same problem gives."""
     path.write_text(text)
-    with fuzz.within(SECONDS), warnings.catch_warnings():
+    with fuzz.limited(SECONDS), warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:
             found = fts.load(path)
@@ -63,8 +65,16 @@ def proofs(tmp_path_factory):
 @settings(max_examples=fuzz.TRIES)
 def test_a_certificate_is_refused_or_checked(path, proofs, data):
     path.write_text(data.draw(fuzz.altered(proofs)))
-    with fuzz.within(SECONDS):
+    with fuzz.limited(SECONDS):
         try:
             assert certify.check(path).startswith("Checked. ")
         except fts.FTSeriesError as error:
             assert "\n" not in str(error)
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGVTALRM"), reason="no clock of computing time")
+def test_what_hangs_is_stopped_and_nothing_swallows_it():
+    with pytest.raises(fuzz.Hung), fuzz.limited(0.1):
+        while True:
+            with contextlib.suppress(Exception):
+                sum(range(1000))
